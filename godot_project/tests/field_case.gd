@@ -150,7 +150,7 @@ func seen() -> void:
 
 func awake_tiles(field: GrassField) -> Array[Vector2i]:
 	var awake: Array[Vector2i] = []
-	var count := field.get_tiles()
+	var count := field.get_grid_size()
 	for z in count.y:
 		for x in count.x:
 			if field.is_tile_awake(Vector2i(x, z)):

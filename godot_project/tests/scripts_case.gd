@@ -95,7 +95,7 @@ func clear_map() -> void:
 
 func ask_and_cut() -> void:
 	if level.stands():
-		level.field.density_at(Vector3.ZERO)
+		level.field.get_density_at(Vector3.ZERO)
 		level.field.cut(ball(0.5), Transform3D())
 		level.field.trample(Vector3.ZERO, 0.5, 0.5)
 
@@ -119,7 +119,7 @@ func try_deeds(occasion: Callable, what: String, but: Array[String] = []) -> voi
 		if name_ == "free the level":
 			assert_false(is_instance_valid(level), words)
 		elif is_instance_valid(level) and level.stands():
-			assert_true(is_finite(level.field.density_at(Vector3.ZERO)), words)
+			assert_true(is_finite(level.field.get_density_at(Vector3.ZERO)), words)
 		clean_up()
 		await ticks(1)
 

@@ -47,7 +47,7 @@ func read(field: GrassField) -> void:
 ## How far the roots of some blades are from the hills, metres.
 func off_the_hills(field: GrassField, hills: Hills, place := Vector3.ZERO) -> float:
 	var most := 0.0
-	var count := field.get_tiles()
+	var count := field.get_grid_size()
 	for x: int in [0, count.x / 3, count.x - 1]:
 		for z: int in [0, count.y / 2, count.y - 1]:
 			var root := field.get_knots(Vector2i(x, z), 20)[0] - place

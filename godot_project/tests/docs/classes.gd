@@ -44,15 +44,15 @@ func grass_bone_colliders3d() -> void:
 func grass_exclusion3d() -> void:
 	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
 	await frames(30)
-	assert_eq(stage.field.density_at(HERE), 0.0, "in the clearing")
-	assert_greater(stage.field.density_at(Vector3(7, 0, 7)), 0.5, "outside of it")
+	assert_eq(stage.field.get_density_at(HERE), 0.0, "in the clearing")
+	assert_greater(stage.field.get_density_at(Vector3(7, 0, 7)), 0.5, "outside of it")
 
 
 func grass_path3d() -> void:
 	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
 	await frames(30)
-	assert_eq(stage.field.density_at(Vector3(0, 0, 2)), 0.0, "on the trail")
-	assert_greater(stage.field.density_at(Vector3(0, 0, 5)), 0.5, "beside it")
+	assert_eq(stage.field.get_density_at(Vector3(0, 0, 2)), 0.0, "on the trail")
+	assert_greater(stage.field.get_density_at(Vector3(0, 0, 5)), 0.5, "beside it")
 
 
 func grass_fill_rule() -> void:
@@ -61,10 +61,10 @@ func grass_fill_rule() -> void:
 	add_child(tree)
 	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").map.base_density = 0.0)
 	await frames(20)
-	assert_eq(stage.field.density_at(HERE), 0.0, "around the tree")
+	assert_eq(stage.field.get_density_at(HERE), 0.0, "around the tree")
 	var covered := 0
 	for x in range(-7, 8):
-		covered += int(stage.field.density_at(Vector3(x, 0, 4)) > 0.5)
+		covered += int(stage.field.get_density_at(Vector3(x, 0, 4)) > 0.5)
 	assert_greater(covered, 4, "of 15 places")
 
 
@@ -132,14 +132,14 @@ func grass_field_blast() -> void:
 	var stage := await staged()
 	stage.call("_on_exploded")
 	await ticks(15)
-	assert_greater(stage.field.bend_at(stage.get("global_position") + Vector3(1.5, 0, 0)).x, 0.2, "away from it")
+	assert_greater(stage.field.get_bend_at(stage.get("global_position") + Vector3(1.5, 0, 0)).x, 0.2, "away from it")
 
 
 func grass_field_push() -> void:
 	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(5, 0, 5))  # grass below a body lies
 	stage.call("_on_door_slammed")
 	await ticks(10)
-	assert_greater(stage.field.bend_at(stage.get("global_position")).x, 0.05)
+	assert_greater(stage.field.get_bend_at(stage.get("global_position")).x, 0.05)
 
 
 func grass_force3d() -> void:
@@ -164,7 +164,7 @@ func grass_world() -> void:
 func grass_field_cut() -> void:
 	var stage := await staged()
 	assert_greater(stage.hay, 0.01, "m³")
-	assert_less(stage.field.height_at(HERE), 0.15, "metres")
+	assert_less(stage.field.get_height_at(HERE), 0.15, "metres")
 
 
 func grass_field_get_density_at() -> void:
@@ -187,7 +187,7 @@ func grass_field_fill() -> void:
 	ResourceSaver.save(rule, RULE)
 	var stage := await ran()
 	DirAccess.remove_absolute(RULE)
-	assert_eq(stage.field.density_at(HERE), 1.0, "undone")
+	assert_eq(stage.field.get_density_at(HERE), 1.0, "undone")
 
 
 func grass_field_get_blade_knots() -> void:
@@ -243,9 +243,9 @@ func grass_field_register_collider() -> void:
 
 func grass_field_regrow() -> void:
 	var stage := await staged(func(made: Stage) -> void: made.get_node("GrassField").map.stroke(full_cut(), Vector2.ZERO, Vector2.ZERO))
-	var before := stage.field.height_at(HERE)
+	var before := stage.field.get_height_at(HERE)
 	stage.call("run")
-	assert_near(stage.field.height_at(HERE) - before, 0.05, 0.011, "metres")
+	assert_near(stage.field.get_height_at(HERE) - before, 0.05, 0.011, "metres")
 
 
 func grass_field_trample() -> void:
@@ -272,9 +272,9 @@ func grass_field_body_entered_grass() -> void:
 func grass_field_ground_high() -> void:
 	var stage := await ran()
 	var bridge: GrassField = stage.locals.bridge
-	assert_near(bridge.density_at(Vector3(0, 4, 0)), 1.0, 0.01)
-	assert_eq(bridge.density_at(Vector3.ZERO), 0.0, "that is the meadow's level")
-	assert_eq(stage.field.density_at(Vector3(0, 4, 0)), 0.0)
+	assert_near(bridge.get_density_at(Vector3(0, 4, 0)), 1.0, 0.01)
+	assert_eq(bridge.get_density_at(Vector3.ZERO), 0.0, "that is the meadow's level")
+	assert_eq(stage.field.get_density_at(Vector3(0, 4, 0)), 0.0)
 
 
 func grass_field_simulation_budget() -> void:

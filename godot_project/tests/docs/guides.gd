@@ -10,7 +10,7 @@ func readme_install() -> void:
 	await seen()
 	var meadow := node.get_child(0) as GrassField
 	assert_near(meadow.get_blade_count(), 400.0 * 400.0, 0.02 * 160000.0, "blades on 20 m x 20 m")
-	assert_greater(meadow.density_at(Vector3.ZERO), 0.9)
+	assert_greater(meadow.get_density_at(Vector3.ZERO), 0.9)
 	assert_eq(meadow.get_statistics().backend, "CPU")
 
 
@@ -128,7 +128,7 @@ func game_saving() -> void:
 			before.append(field.map)
 	)
 	assert_ne(stage.field.map, before[0], "it is the map that was read")
-	assert_eq(stage.field.density_at(cut_at), 0.0, "what was erased is saved")
+	assert_eq(stage.field.get_density_at(cut_at), 0.0, "what was erased is saved")
 	assert_eq(stage.field.map.data, before[0].data)
 	DirAccess.remove_absolute("user://save1.grassmap")
 
@@ -226,8 +226,8 @@ func painting_why_is_there_no_grass_here() -> void:
 
 func painting_from_a_script() -> void:
 	var stage := await ran()
-	assert_less(stage.field.height_at(Vector3(0, 0, 0)), 0.2, "cut, from one end to the other")
-	assert_greater(stage.field.height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
+	assert_less(stage.field.get_height_at(Vector3(0, 0, 0)), 0.2, "cut, from one end to the other")
+	assert_greater(stage.field.get_height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
 
 
 func shared_maps_from_a_script() -> void:
@@ -280,10 +280,10 @@ func surface_hooks_the_wind_over_time() -> void:
 
 func look_taller_or_shorter() -> void:
 	var stage := await staged()
-	var before := stage.field.height_at(Vector3.ZERO)
+	var before := stage.field.get_height_at(Vector3.ZERO)
 	stage.call("grow_to_the_hip")
 	await wait_until(func() -> bool: return not stage.field.get_statistics().waiting, "the field has grown")
-	assert_greater(stage.field.height_at(Vector3.ZERO), 1.4 * before, "metres")
+	assert_greater(stage.field.get_height_at(Vector3.ZERO), 1.4 * before, "metres")
 
 
 func look_another_colour() -> void:
@@ -337,7 +337,7 @@ func forces_forces_and_wind() -> void:
 	var place := Vector3(1, 0, 1)
 	stage.call("_on_grenade_exploded", place)
 	await ticks(15)
-	var bend := stage.field.bend_at(place + Vector3(1.5, 0, 0))
+	var bend := stage.field.get_bend_at(place + Vector3(1.5, 0, 0))
 	assert_greater(bend.x, 0.2, "away from the grenade")
 	await ticks(120)
 	stage.call("_on_door_slammed", place)
@@ -352,8 +352,8 @@ func forces_forces_and_wind_2() -> void:
 	add_child(helicopter)
 	stage.call("add_rotor", helicopter)
 	await ticks(60)
-	assert_greater(stage.field.bend_at(Vector3(3, 0, 0)).x, 0.1, "out of the ring")
-	assert_less(stage.field.bend_at(Vector3(-3, 0, 0)).x, -0.1)
+	assert_greater(stage.field.get_bend_at(Vector3(3, 0, 0)).x, 0.1, "out of the ring")
+	assert_less(stage.field.get_bend_at(Vector3(-3, 0, 0)).x, -0.1)
 
 
 func troubleshooting_troubleshooting() -> void:

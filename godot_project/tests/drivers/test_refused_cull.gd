@@ -5,7 +5,7 @@ extends "res://tests/drivers/refused_case.gd"
 
 func test_no_field_is_bare() -> void:
 	expect_refusal(["cull"])
-	var field := add_seen_field({ground = false, map = half_map()})
+	var field := add_seen_field({soil_enabled = false, map = half_map()})
 	await assert_lives(field, "CPU")
 	assert_eq(said.warnings, 1)
 	var half := grass_of(await picture())
@@ -14,14 +14,14 @@ func test_no_field_is_bare() -> void:
 	assert_greater(grass_of(await picture()), 1.5 * half, "the map's left half was bare")
 	field.free()
 	var species: Array[GrassSpecies] = [GrassSpecies.new(), GrassSpecies.new()]
-	field = add_seen_field({ground = false, species = species})
+	field = add_seen_field({soil_enabled = false, species = species})
 	await assert_lives(field, "CPU")
 	assert_eq(said.count, 1, "however many fields there are")
 	assert_eq(said.warnings, 1)
 
 
 func test_a_field_of_the_cpu_s_warns_of_nothing() -> void:
-	var field := add_seen_field({ground = false, backend = GrassField.BACKEND_CPU})
+	var field := add_seen_field({soil_enabled = false, backend = GrassField.BACKEND_CPU})
 	await assert_lives(field, "CPU")
 	field.backend = GrassField.BACKEND_AUTO
 	await assert_lives(field, "CPU")

@@ -10,7 +10,7 @@ func test_1_the_pass_for_all_tiles_stands_in() -> void:
 	refuse("simulate_GRASS_FREE,simulate_GRASS_EDGES,simulate_GRASS_EDGES+crowd")
 	expect_refusal(["simulate free", "simulate edges", "simulate crowds"])
 	# Whole tiles: the same code for several tiles in a workgroup is compiled with the first thinned one, and would be refused, too.
-	var field := add_seen_field({ground = false, simulation_detail = GrassField.SIMULATION_WHOLE})
+	var field := add_seen_field({soil_enabled = false, simulation_detail = GrassField.SIMULATION_WHOLE})
 	await compiled(field)
 	var box := AnimatableBody3D.new()
 	box.sync_to_physics = false
@@ -36,8 +36,8 @@ func test_1_the_pass_for_all_tiles_stands_in() -> void:
 func test_2_plants_are_the_cpu_s() -> void:
 	refuse("plants,plants_GRASS_MAP")
 	expect_refusal(["plants", "plants map"])
-	var other := add_seen_field({ground = false, position = Vector3(0, 0, -4)})
-	var field := add_seen_field({ground = false})
+	var other := add_seen_field({soil_enabled = false, position = Vector3(0, 0, -4)})
+	var field := add_seen_field({soil_enabled = false})
 	await assert_lives(field, "GPU")
 	var species: Array[GrassSpecies] = [load(DAISY)]
 	field.species = species
@@ -46,7 +46,7 @@ func test_2_plants_are_the_cpu_s() -> void:
 	assert_greater(field.get_counters().drawn_plants, 0)
 	assert_eq(said.warnings, 1)
 	field.free()
-	field = add_seen_field({ground = false, map = half_map(), species = species})
+	field = add_seen_field({soil_enabled = false, map = half_map(), species = species})
 	await wait_until(func() -> bool: return field.get_statistics().backend == "CPU", "the CPU has it")
 	await drawn()
 	assert_greater(field.get_counters().drawn_plants, 0)
@@ -59,7 +59,7 @@ func test_3_species_are_the_cpu_s() -> void:
 	refuse("simulate_GRASS_SPECIES")
 	expect_refusal(["simulate"])
 	var species: Array[GrassSpecies] = [GrassSpecies.new(), GrassSpecies.new()]
-	var field := add_seen_field({ground = false, species = species, method = GrassField.METHOD_PBD})
+	var field := add_seen_field({soil_enabled = false, species = species, method = GrassField.METHOD_PBD})
 	await assert_lives(field, "CPU")
 	assert_eq(said.warnings, 1)
 	assert_eq(said.count, 1)
@@ -67,7 +67,7 @@ func test_3_species_are_the_cpu_s() -> void:
 
 func test_4_nothing_of_the_map_is_lost() -> void:
 	expect_refusal(["simulate"])
-	var field := add_seen_field({ground = false, map = half_map()})
+	var field := add_seen_field({soil_enabled = false, map = half_map()})
 	await assert_lives(field, "GPU")
 	refuse("simulate")
 	field.map.stroke(brush(GrassBrush.TOOL_CUT, 0.4, {cut_height = 0.05}), Vector2(1, -2), Vector2(1, 2))

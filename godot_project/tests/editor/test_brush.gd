@@ -68,7 +68,7 @@ func test_the_toolbar_leaves_the_docks_their_place() -> void:
 
 func test_grass_comes_and_goes_under_the_brush() -> void:
 	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
-	var all: int = field.get_tiles().x * field.get_tiles().y
+	var all: int = field.get_grid_size().x * field.get_grid_size().y
 	await wait_until(func() -> bool: return field.get_counters().bare_tiles == all, "the field is bare")
 	await take("Paint")
 	await press_and_move()

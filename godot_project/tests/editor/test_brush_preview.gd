@@ -47,12 +47,12 @@ func hold(code: Key, pressed: bool) -> void:
 
 func test_the_grass_is_drawn_as_a_touch_would_leave_it() -> void:
 	assert_eq(bare(), 0)
-	var there := field.density_at(NEAR)
+	var there := field.get_density_at(NEAR)
 	await hover(NEAR)
 	assert_greater(bare(), 0, "drawn")
 	assert_eq(plugin.get_statistics().preview, 1)
 	assert_eq(field.map.data, all, "and not in the map")
-	assert_near(field.density_at(NEAR), there, 0.0, "nor in what scripts read")
+	assert_near(field.get_density_at(NEAR), there, 0.0, "nor in what scripts read")
 	await hover(FAR)
 	assert_greater(bare(), 0, "goes with the cursor")
 	set_number("Strength", 0.3)

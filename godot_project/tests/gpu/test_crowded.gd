@@ -4,7 +4,7 @@ extends "res://tests/view_case.gd"
 
 const ROOM := 256
 # 1,024 tiles of 1 m. Without ground blades do not end, however far away.
-const MANY := {size = Vector2(32, 32), density = 64.0, drawn_tiles_max = ROOM, ground = false}
+const MANY := {size = Vector2(32, 32), density = 64.0, drawn_tiles_max = ROOM, soil_enabled = false}
 const FAR := Vector3(0, 120, 160)  # from there all tiles are of one segment
 
 
@@ -109,4 +109,4 @@ func test_a_field_that_has_more_tiles_before_it_is_shown_has_room_for_them() -> 
 	await drawn()
 	var now := field.get_statistics().merged(field.get_counters())
 	assert_eq(now.builds, 1, "what was made serves")
-	assert_eq([field.get_tiles().x * field.get_tiles().y, now.drawn_tiles, now.left_out_tiles], [1024, 1024, 0])
+	assert_eq([field.get_grid_size().x * field.get_grid_size().y, now.drawn_tiles, now.left_out_tiles], [1024, 1024, 0])

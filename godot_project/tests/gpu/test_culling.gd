@@ -16,7 +16,7 @@ const VIEWS: Array[Array] = [
 func count_in_view(field: GrassField, overhang: float, height: float) -> int:
 	var count := 0
 	var half := Vector3(0.5 * field.get_tile_size() + overhang, 0.5 * height, 0.5 * field.get_tile_size() + overhang)
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			var middle := field.to_local(field.get_tile_center(Vector2i(x, z))) + Vector3(0, 0.5 * height, 0)
@@ -29,8 +29,8 @@ func count_in_view(field: GrassField, overhang: float, height: float) -> int:
 
 
 func test_draws_the_tiles_in_view() -> void:
-	var gpu := add_seen_field({ground = false})  # blades do not end far away
-	var cpu := add_seen_field({ground = false, backend = GrassField.BACKEND_CPU})
+	var gpu := add_seen_field({soil_enabled = false})  # blades do not end far away
+	var cpu := add_seen_field({soil_enabled = false, backend = GrassField.BACKEND_CPU})
 	var counts := {}
 	for turn: Vector3 in [Vector3.ZERO, Vector3(0.1, 0.7, -0.05)]:
 		gpu.rotation = turn
@@ -176,14 +176,14 @@ func test_blades_end_where_the_ground_carries_them() -> void:
 	assert_greater(ended, 0)
 	for number: String in ["drawn_tiles", "drawn_blades", "drawn_triangles"]:
 		assert_eq(gpu.get_statistics()[number], cpu.get_statistics()[number], "GPU and CPU: " + number)
-	gpu.ground = false
+	gpu.soil_enabled = false
 	await drawn()
 	assert_greater(gpu.get_statistics().drawn_tiles, 3 * ended, "without ground they go on")
-	gpu.ground = true
+	gpu.soil_enabled = true
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = 100.0
 	await drawn()
 	var all: int = gpu.get_statistics().drawn_tiles
-	gpu.ground = false
+	gpu.soil_enabled = false
 	await drawn()
 	assert_eq(gpu.get_statistics().drawn_tiles, all, "an orthogonal camera sees all")

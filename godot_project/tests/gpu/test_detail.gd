@@ -96,7 +96,7 @@ func test_a_slow_flight_shows_no_jump() -> void:
 
 ## Blades that are fewer and wider cover as much: the ground shows through as much as at full detail.
 func test_thinned_grass_covers_as_much() -> void:
-	var field := add_seen_field({size = Vector2(8, 8), ground = false})
+	var field := add_seen_field({size = Vector2(8, 8), soil_enabled = false})
 	for view: Array in [[Vector3(0, 1.2, 3.8), Vector3(0, 0, 0)], [Vector3(0, 5, 0.1), Vector3(0, 0, 0)]]:
 		for property: String in FULL:
 			field.set(property, FULL[property])
@@ -120,7 +120,7 @@ func test_meshes_change_by_sliding() -> void:
 	open_view(SIZE)
 	viewport.msaa_3d = Viewport.MSAA_4X
 	add_light()
-	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_far = 10000.0, lod_error = 0.1})
+	var field := add_seen_field({size = Vector2(0.5, 0.5), soil_enabled = false, pixels_min = 0.0, lod_far = 10000.0, lod_error = 0.1})
 	look(Vector3(0, 0.4, 1.1), Vector3(0, 0.25, 0))
 	var last := await picture()
 	var triangles: int = field.get_statistics().drawn_triangles
@@ -176,7 +176,7 @@ func test_what_other_grass_hides_is_not_missed() -> void:
 
 ## One tile from the side, ever fewer of its blades: each shrinks before it is gone.
 func test_blades_fade_by_shrinking() -> void:
-	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
+	var field := add_seen_field({size = Vector2(0.5, 0.5), soil_enabled = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
 	camera.fov = 15.2  # 0.8 m at a distance of 3 m
 	look(Vector3(0, 0.35, 3), Vector3(0, 0.35, 0))
 	field.hide()
@@ -200,7 +200,7 @@ func test_blades_fade_by_shrinking() -> void:
 
 ## A blade right before the eye gets narrow, so that it neither fills the picture nor is cut by the near plane.
 func test_a_blade_right_before_the_eye_gets_narrow() -> void:
-	var field := add_seen_field({size = Vector2(8, 8), density = 1.0, ground = false, wind_speed = 0.0})
+	var field := add_seen_field({size = Vector2(8, 8), density = 1.0, soil_enabled = false, wind_speed = 0.0})
 	await drawn()
 	var tile := field.get_tile_at(Vector3.ZERO)
 	var knots := field.get_tile_knots(tile)

@@ -75,7 +75,7 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 	# Height of the camera, share of the blades that have cards, size of the cards.
 	for setting: Vector3 in [Vector3(10, 1.0, 0.06), Vector3(40, 0.1, 0.06), Vector3(5, 1.0, 0.02)]:
 		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
-		var field := add_seen_field({species = [violet], size = Vector2(30, 30), ground = false})
+		var field := add_seen_field({species = [violet], size = Vector2(30, 30), soil_enabled = false})
 		look(Vector3(0, setting.x, 40), Vector3.ZERO)
 		var gain := {0.25: 0.0, 8.0: 0.0}  # by lod_error
 		for card: Texture2D in [null, flower(Color(0.7, 0.1, 0.7))]:
@@ -151,7 +151,7 @@ func draw_calls() -> int:
 
 func _tips(field: GrassField) -> PackedVector3Array:
 	var tips := PackedVector3Array()
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for blade in BLADES:

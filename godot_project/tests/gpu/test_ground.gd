@@ -29,7 +29,7 @@ func test_both_backends_on_a_hillside() -> void:
 			assert_near(root.distance_to(by_cpu[blade * KNOTS]), 0.0, 1e-4, "roots")
 			assert_near(root.y, hill_height(root.x, root.z), 0.05)
 	for body in bodies:
-		bent = maxf(bent, gpu.bend_at(body.position).length())
-		assert_near(gpu.bend_at(body.position), cpu.bend_at(body.position), 0.1, "how far the grass bends")
+		bent = maxf(bent, gpu.get_bend_at(body.position).length())
+		assert_near(gpu.get_bend_at(body.position), cpu.get_bend_at(body.position), 0.1, "how far the grass bends")
 	assert_greater(bent, 0.05)
 	assert_true(all_finite(gpu, awake_tiles(gpu)))

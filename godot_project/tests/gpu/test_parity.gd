@@ -257,7 +257,7 @@ func test_a_map_is_simulated_alike() -> void:
 	var bends: Array[Vector3] = []
 	await ticks(10)
 	for field: GrassField in [cpu, gpu]:
-		bends.append(field.bend_at(PLACE))
+		bends.append(field.get_bend_at(PLACE))
 	print("    parity on a hill: %s of a blade's length; bend CPU %s, GPU %s" % [String.num_scientific(bent), bends[0], bends[1]])
 	assert_less(bent, IN_CONTACT)
 	assert_greater(bends[0].length(), 0.05)

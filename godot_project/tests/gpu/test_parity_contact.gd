@@ -20,8 +20,8 @@ const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 func every_tile(field: GrassField) -> Array[Vector2i]:
 	var tiles: Array[Vector2i] = []
-	for x in field.get_tiles().x:
-		for z in field.get_tiles().y:
+	for x in field.get_grid_size().x:
+		for z in field.get_grid_size().y:
 			tiles.append(Vector2i(x, z))
 	return tiles
 
@@ -111,7 +111,7 @@ func test_the_first_contact_of_edges() -> void:
 	await ticks(2)
 	var rest := knots_of(still, every_tile(still))
 	var first := PackedVector3Array()
-	for z in still.get_tiles().y:
+	for z in still.get_grid_size().y:
 		first.append_array(rest[Vector2i(0, z)])
 	var by_edges := 0
 	var bent := {}

@@ -34,7 +34,7 @@ func test_compatibility_says_where_it_becomes_imprecise() -> void:
 		expect_error("The Compatibility renderer distinguishes at most 2048 tiles along a side")
 	var field := add_seen_field({size = Vector2(600, 0.5), density = 1024.0})
 	await drawn()
-	assert_eq(field.get_tiles(), Vector2i(2400, 2))
+	assert_eq(field.get_grid_size(), Vector2i(2400, 2))
 
 
 ## Everything that a standing field keeps its buffers, textures and materials through, one after the other.
@@ -196,7 +196,7 @@ func test_awake_tiles_are_shown_red() -> void:
 func test_density_and_cost_are_heat_maps() -> void:
 	var map := full_map()
 	map.stroke(brush(GrassBrush.TOOL_DENSITY, 3.0, {target = 0.3, strength = 1.0, hardness = 1.0}), Vector2(-3, 0), Vector2(-3, 0))
-	var field := add_seen_field({map = map, size = Vector2(12, 12), ground = false})
+	var field := add_seen_field({map = map, size = Vector2(12, 12), soil_enabled = false})
 	look(Vector3(0, 7, 0), Vector3.ZERO)
 	field.debug_view = GrassField.DEBUG_VIEW_DENSITY
 	var density := await picture()

@@ -49,7 +49,7 @@ func test_both_backends_draw_the_map_alike() -> void:
 
 
 func test_only_painted_tiles_are_drawn() -> void:
-	var field := add_seen_field({map = GrassMap.new(), size = Vector2(8, 8), ground = true})
+	var field := add_seen_field({map = GrassMap.new(), size = Vector2(8, 8), soil_enabled = true})
 	look(Vector3(0, 8, 0), Vector3.ZERO)
 	var sky := await picture()
 	await drawn()

@@ -26,7 +26,7 @@ func add_boxes(color: Color) -> GrassField:
 	var species := make(1.0, Color(0.3, 0.6, 0.2), {length_min = 0.7, length_max = 0.7, plant_mesh = painted_box(color)})
 	look(Vector3(0, 9, 5), Vector3.ZERO)
 	return add_seen_field(
-		{species = [species] as Array[GrassSpecies], size = Vector2(6, 6), density = 8.0, ground = false, border_fade = 0.0}
+		{species = [species] as Array[GrassSpecies], size = Vector2(6, 6), density = 8.0, soil_enabled = false, border_fade = 0.0}
 	)
 
 
@@ -78,7 +78,7 @@ func test_a_far_plant_keeps_the_place_of_its_colours() -> void:
 	var species := make(1.0, Color(0.3, 0.6, 0.2), upright.merged({plant_mesh = stem_with_head(), plant_distance = 1.0}))
 	look(Vector3(0, 0.5, 5), Vector3(0, 0.5, 0))
 	var field := add_seen_field(
-		{species = [species] as Array[GrassSpecies], size = Vector2(6, 1), density = 4.0, ground = false, border_fade = 0.0}
+		{species = [species] as Array[GrassSpecies], size = Vector2(6, 1), density = 4.0, soil_enabled = false, border_fade = 0.0}
 	)
 	field.clump_height = 0.0
 	field.clump_lean = 0.0

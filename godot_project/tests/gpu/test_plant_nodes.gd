@@ -29,7 +29,7 @@ func shrub() -> GrassSpecies:
 
 func test_nodes_stand_where_the_gpu_draws_the_plants() -> void:
 	var species: Array[GrassSpecies] = [GrassSpecies.new(), shrub()]
-	var field := add_seen_field({ground = false, size = Vector2(8, 8), density = 16.0, species = species, map = full_map()})
+	var field := add_seen_field({soil_enabled = false, size = Vector2(8, 8), density = 16.0, species = species, map = full_map()})
 	field.plant_node_appeared.connect(func(node: Node3D, of: int, blade: int) -> void: nodes[blade] = node if of == SHRUB else null)
 	field.plant_node_leaving.connect(func(_node: Node3D, _of: int, blade: int) -> void: nodes.erase(blade))
 	await drawn()

@@ -52,7 +52,7 @@ func add_plants(species: Array[GrassSpecies], properties := {}) -> GrassField:
 
 func heads(field: GrassField, of_species := 0) -> PackedVector3Array:
 	var found := PackedVector3Array()
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for blade in BLADES:
@@ -184,7 +184,7 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 
 ## The mean change of a pixel by the shadows of plants, and by those of blades without a mesh.
 func shades(species: GrassSpecies, mesh: Mesh, picture_name: String) -> Vector2:
-	var field := add_plants([species], {ground = true})
+	var field := add_plants([species], {soil_enabled = true})
 	var lamp: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
 	lamp.shadow_enabled = true
 	lamp.directional_shadow_max_distance = 20.0
@@ -237,7 +237,7 @@ func simple_fern() -> ArrayMesh:
 func test_plants_that_others_hide_are_not_drawn() -> void:
 	var fern: GrassSpecies = load("res://addons/grass_field/presets/fern.tres").duplicate()
 	fern.plant_mesh = simple_fern()
-	var stand := {size = Vector2(10, 20), density = 40.0, ground = true, pixels_min = 0.0}
+	var stand := {size = Vector2(10, 20), density = 40.0, soil_enabled = true, pixels_min = 0.0}
 	var field := add_plants([fern], stand)
 	look(Vector3(0, 1.7, 9.0), Vector3(0, 0.5, 2.0))
 	await drawn()

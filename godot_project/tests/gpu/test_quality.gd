@@ -77,7 +77,7 @@ func test_blades_stay_bent_on_the_device() -> void:
 	await ticks(8)
 	assert_eq(awake_tiles(field), awake)
 	assert_true(all_finite(field, awake))
-	assert_greater(field.bend_at(PLACE + Vector3(0.2, 0, 0)).length(), 0.1)
+	assert_greater(field.get_bend_at(PLACE + Vector3(0.2, 0, 0)).length(), 0.1)
 	body.free()
 
 

@@ -40,7 +40,7 @@ func check_markers(field: GrassField) -> void:
 	var image := await picture()
 	var places: Array[Vector2] = []
 	var species: Array[int] = []
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for blade in BLADES:

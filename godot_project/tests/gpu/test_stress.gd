@@ -19,7 +19,7 @@ func randomise(field: GrassField) -> void:
 	field.root_stiffness = rng.randf_range(1.0, 4.0)
 	field.bend_stiffness = rng.randf_range(0.0, 30.0)
 	field.friction = rng.randf_range(0.0, 4.0)
-	field.max_speed = rng.randf_range(1.0, 100.0)
+	field.swing_speed_max = rng.randf_range(1.0, 100.0)
 	field.iterations = rng.randi_range(1, 10)
 
 

@@ -129,7 +129,7 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	look_ahead()
 	await ticks(60)
 	var behind := field.get_tile_at(BEHIND)
-	var unseen := awake_tiles(field).filter(func(p_tile: Vector2i) -> bool: return p_tile.y > field.get_tiles().y / 2)
+	var unseen := awake_tiles(field).filter(func(p_tile: Vector2i) -> bool: return p_tile.y > field.get_grid_size().y / 2)
 	assert_true(behind in unseen)
 	assert_greater(field.get_awake_tile_count(), unseen.size())
 	var before := field.get_counters()

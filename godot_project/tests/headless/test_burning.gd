@@ -48,7 +48,7 @@ func test_without_wind_it_runs_to_all_sides() -> void:
 func test_it_leaves_stubble_and_ends() -> void:
 	var field := add_field({size = Vector2(6, 6)})
 	await ticks(1)
-	var tall := field.height_at(Vector3(1, 0, 0))
+	var tall := field.get_height_at(Vector3(1, 0, 0))
 	var fire := lit_fire(field, Vector2(4, 0))
 	var steps := 0
 	while not fire.is_out() and steps < 600:
@@ -59,10 +59,10 @@ func test_it_leaves_stubble_and_ends() -> void:
 	await ticks(1)
 	assert_greater(tall, 0.15)
 	for place: Vector2 in [Vector2(1, 0), Vector2(2, 0.5)]:
-		assert_less(field.height_at(Vector3(place.x, 0, place.y)), 0.05, "stubble")
+		assert_less(field.get_height_at(Vector3(place.x, 0, place.y)), 0.05, "stubble")
 		var wear := field.map.sample(GrassMap.CHANNEL_WEAR, place)
 		assert_true(wear > 0.1 and wear < 0.6, "worn, not bare: %f" % wear)
-		assert_greater(field.density_at(Vector3(place.x, 0, place.y)), 0.4)
+		assert_greater(field.get_density_at(Vector3(place.x, 0, place.y)), 0.4)
 		assert_less(field.map.sample(GrassMap.CHANNEL_TINT, place, 1), 0.15, "black")
 		assert_greater(field.map.sample(GrassMap.CHANNEL_TINT, place, 3), 0.5)
 	assert_eq(fire.image.get_pixel(8, 6), Color(0, 1, 0), "charred, and no longer burning")

@@ -33,8 +33,8 @@ func test_meadow() -> void:
 		var at := stroll.sample_baked(0.1 * i)
 		trodden = maxf(trodden, field.map.sample(GrassMap.CHANNEL_WEAR, Vector2(at.x, at.z)))
 	assert_greater(trodden, 0.02, "footprints")
-	assert_near(field.density_at(Vector3(-16, 0, 14)), 0.0, 0.2, "the path")
-	assert_greater(field.density_at(Vector3(-16, 0, 20)), 0.9)
+	assert_near(field.get_density_at(Vector3(-16, 0, 14)), 0.0, 0.2, "the path")
+	assert_greater(field.get_density_at(Vector3(-16, 0, 20)), 0.9)
 	for x in range(-40, 41, 10):  # roots stand on the terrain
 		for z in range(-40, 41, 10):
 			var ground: float = place.get_node("Terrain").height_at(x, z)
@@ -48,8 +48,8 @@ func test_forces() -> void:
 	await ticks(45)
 	assert_eq(field.get_counters().forces, 3, "and a blast")
 	var blast: Vector3 = place.get_node("Blast").global_position
-	assert_greater(field.bend_at(blast + Vector3(2, 0, 0)).x, 0.3)
-	assert_less(field.bend_at(blast + Vector3(-2, 0, 0)).x, -0.3)
+	assert_greater(field.get_bend_at(blast + Vector3(2, 0, 0)).x, 0.3)
+	assert_less(field.get_bend_at(blast + Vector3(-2, 0, 0)).x, -0.3)
 
 
 func test_burning() -> void:
@@ -57,7 +57,7 @@ func test_burning() -> void:
 	await ticks(200)
 	assert_greater(place.fire.burnt, 5)
 	assert_greater(place.fire.get_burning(), 5)
-	assert_less(field.height_at(place.get_node("Start").global_position), 0.05, "stubble where it began")
+	assert_less(field.get_height_at(place.get_node("Start").global_position), 0.05, "stubble where it began")
 
 
 func test_lawn() -> void:
@@ -67,7 +67,7 @@ func test_lawn() -> void:
 	assert_greater(mown, 0.1, "half of it is mown")
 	await ticks(120)
 	assert_greater(field.get_mown_share(), mown)
-	assert_less(field.height_at(place.get_node("Mower").global_position), 0.07)
+	assert_less(field.get_height_at(place.get_node("Mower").global_position), 0.07)
 	assert_greater(field.get_awake_tile_count(), 0)
 	assert_eq(FileAccess.get_md5("res://demo/lawn.grassmap"), on_disk)
 
@@ -79,6 +79,6 @@ func test_reeds() -> void:
 		await ticks(1)
 		most = maxi(most, field.get_awake_tile_count())
 	assert_greater(most, 20, "the boat comes through the reeds")
-	assert_greater(field.height_at(Vector3(10, 0, 4)), 1.0, "reeds")
-	assert_near(field.height_at(Vector3(10, 0, 20)), 0.4, 0.2, "the bank")
-	assert_eq(field.density_at(Vector3(0, 0, -20)), 0.0, "open water")
+	assert_greater(field.get_height_at(Vector3(10, 0, 4)), 1.0, "reeds")
+	assert_near(field.get_height_at(Vector3(10, 0, 20)), 0.4, 0.2, "the bank")
+	assert_eq(field.get_density_at(Vector3(0, 0, -20)), 0.0, "open water")

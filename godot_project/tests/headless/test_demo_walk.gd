@@ -75,7 +75,7 @@ func _send(event: InputEvent, is_pressed: bool) -> void:
 
 ## The grass at a place as it lies, and whether all of it is finite.
 func lies(place: Vector3) -> float:
-	return -field.bend_at(place).y
+	return -field.get_bend_at(place).y
 
 
 func worn_at(place: Vector3) -> float:
@@ -83,7 +83,7 @@ func worn_at(place: Vector3) -> float:
 
 
 func are_knots_finite() -> bool:
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	var awake := 0
 	for z in tiles.y:
 		for x in tiles.x:
@@ -188,14 +188,14 @@ func test_the_mower() -> void:
 	walk.walker.global_position = walk.hills.on_ground(walk.MOWER + Vector3(0, 0, 1.4), 0.05)
 	await ticks(2)
 	var place: Vector3 = walk.MOWER + Vector3(0, 0, -1)
-	var before := field.height_at(place)
+	var before := field.get_height_at(place)
 	assert_greater(before, 0.15, "it has grown")
 	await tap(key(KEY_E))
 	assert_true(walk.pushing)
 	await hold(key(KEY_W))
 	await ticks(90)
 	await let_go()
-	assert_less(field.height_at(place), 0.09, "mown")
+	assert_less(field.get_height_at(place), 0.09, "mown")
 	assert_greater(walk.mower.hay, 0.05)
 	await tap(key(KEY_E))
 	assert_false(walk.pushing)
@@ -204,9 +204,9 @@ func test_the_mower() -> void:
 	await ticks(30)
 	await let_go()
 	assert_eq(walk.mower.global_position, parked, "it stays where it was left")
-	assert_less(field.height_at(place), 0.09, "and the grass stays cut")
+	assert_less(field.get_height_at(place), 0.09, "and the grass stays cut")
 	await tap(key(KEY_R))
-	assert_near(field.height_at(place), before, 0.03, "R lets it grow again")
+	assert_near(field.get_height_at(place), before, 0.03, "R lets it grow again")
 
 
 func test_a_blast() -> void:
@@ -221,8 +221,8 @@ func test_a_blast() -> void:
 	await ticks(12)
 	assert_eq(field.get_counters().forces, 1)
 	assert_greater(field.get_awake_tile_count(), awake + 60, "it wakes what it reaches")
-	assert_greater(field.bend_at(walk.hills.on_ground(place + Vector3(2, 0, 0))).x, 0.2, "away from it")
-	assert_less(field.bend_at(walk.hills.on_ground(place + Vector3(-2, 0, 0))).x, -0.2)
+	assert_greater(field.get_bend_at(walk.hills.on_ground(place + Vector3(2, 0, 0))).x, 0.2, "away from it")
+	assert_less(field.get_bend_at(walk.hills.on_ground(place + Vector3(-2, 0, 0))).x, -0.2)
 	assert_greater(ball.linear_velocity.x, 2.0, "the ball flies")
 	assert_true(are_knots_finite(), "knots are numbers")
 

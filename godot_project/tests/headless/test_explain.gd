@@ -14,7 +14,7 @@ func test_a_field_without_a_map() -> void:
 	var field := add_field()
 	var answer := check(field, Vector3.ZERO, GrassField.REASON_NONE, "grows here")
 	assert_eq(answer.density, 1.0)
-	assert_near(answer.height, field.height_at(Vector3.ZERO), 1e-6)
+	assert_near(answer.height, field.get_height_at(Vector3.ZERO), 1e-6)
 	assert_eq(answer.node, null)
 	check(field, Vector3(3, 0, 0), GrassField.REASON_OUTSIDE, "`size`")
 	check(field, Vector3(NAN, 0, 0), GrassField.REASON_OUTSIDE)

@@ -18,7 +18,7 @@ func test_grows_from_nothing_but_the_node() -> void:
 	add_child(field)
 	await ticks(2)
 	assert_eq(field.size, Vector2(32, 32), "size by default")
-	assert_eq(field.get_tiles(), Vector2i(64, 64))
+	assert_eq(field.get_grid_size(), Vector2i(64, 64))
 	assert_near(field.get_tile_size(), 0.5, 1e-6)
 	assert_eq(field.get_blade_count(), 64 * 64 * 64)
 	assert_eq(field.get_awake_tile_count(), 0)

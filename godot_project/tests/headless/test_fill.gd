@@ -50,7 +50,7 @@ func test_a_field_is_full_when_it_comes_into_the_tree() -> void:
 	assert_eq(finished[0], 1)
 	assert_eq(field.get_counters().fill_cells, 16 * CELLS_A_CHUNK)
 	assert_eq(field.get_counters().fill_waiting, 0)
-	assert_near(field.density_at(Vector3(100, 0, -100)), 0.75, 0.01)
+	assert_near(field.get_density_at(Vector3(100, 0, -100)), 0.75, 0.01)
 	await _follow()
 	assert_eq(field.get_counters().fill_cells, 16 * CELLS_A_CHUNK, "nothing changed, nothing done")
 

@@ -93,12 +93,12 @@ func test_a_distance_is_kept_from_nodes_and_along_paths() -> void:
 func test_places_are_the_fields_own_wherever_it_stands() -> void:
 	_add_exclusion(_box(Vector3(4, 2, 4)), Vector3(1000, 50, 0))
 	var field := await _add_filled(_rule(), {position = Vector3(1000, 50, 30), rotation = Vector3(0, PI / 2, 0)})
-	assert_eq(field.density_at(Vector3(1000, 50, 0)), 0.0)
-	assert_eq(field.density_at(Vector3(1005, 50, 0)), 1.0)
+	assert_eq(field.get_density_at(Vector3(1000, 50, 0)), 0.0)
+	assert_eq(field.get_density_at(Vector3(1005, 50, 0)), 1.0)
 	field.position.z = 60.0
 	await _follow()
-	assert_eq(field.density_at(Vector3(1000, 50, 0)), 0.0)
-	assert_eq(field.density_at(Vector3(1000, 50, 30)), 1.0)
+	assert_eq(field.get_density_at(Vector3(1000, 50, 0)), 0.0)
+	assert_eq(field.get_density_at(Vector3(1000, 50, 30)), 1.0)
 
 
 func test_a_mask_is_read_from_its_texture() -> void:

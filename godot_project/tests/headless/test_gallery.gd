@@ -36,5 +36,5 @@ func test_painted() -> void:
 	await ticks(2)
 	var field: GrassField = gallery._place.field
 	var on_path := Vector3(5.0 * sin(0.35 * 18) - 2.0 * cos(0.35 * 18), 0, 4)
-	assert_less(field.density_at(on_path), 0.2, "the path")
-	assert_greater(field.density_at(Vector3(-9, 0, 9)), 0.9, "beside it")
+	assert_less(field.get_density_at(on_path), 0.2, "the path")
+	assert_greater(field.get_density_at(Vector3(-9, 0, 9)), 0.9, "beside it")

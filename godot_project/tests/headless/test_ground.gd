@@ -6,7 +6,7 @@ extends "res://tests/hill_case.gd"
 ## How far the roots of some tiles are from the hill, metres.
 func off_the_hill(field: GrassField, up := 0.0) -> float:
 	var most := 0.0
-	var count := field.get_tiles()
+	var count := field.get_grid_size()
 	for x: int in [0, 3, count.x / 2, count.x - 1]:
 		for z: int in [0, count.y / 3, count.y - 1]:
 			for blade: int in [0, 31, 63]:
@@ -129,7 +129,7 @@ func test_bodies_roll_down_the_hillside() -> void:
 		for tile in awake_tiles(field):
 			woken[tile] = true
 		for body in bodies.size():
-			bent[body] = maxf(bent[body], field.bend_at(bodies[body].position).length())
+			bent[body] = maxf(bent[body], field.get_bend_at(bodies[body].position).length())
 	for body in bodies.size():
 		assert_less(bodies[body].position.x, 4.0, "body %d moves down" % body)
 		assert_near(bodies[body].position.y, hill_height(bodies[body].position.x, bodies[body].position.z), 0.6, "on the ground")

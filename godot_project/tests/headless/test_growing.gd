@@ -50,13 +50,13 @@ func test_a_query_makes_a_first_field_and_hastens_no_change() -> void:
 	assert_true(field.is_grass_at(Vector3.ZERO))
 	assert_eq(field.get_counters().makings, 1, "nobody waits for the first one")
 	await frames(2)
-	var before := field.get_tiles()
+	var before := field.get_grid_size()
 	field.size = Vector2(8, 8)
 	assert_true(field.is_grass_at(Vector3.ZERO))
 	field.regrow(0.1, 0.0)
-	assert_eq(field.get_tiles(), before, "it stands as it was")
+	assert_eq(field.get_grid_size(), before, "it stands as it was")
 	await wait_until(func() -> bool: return not field.get_statistics().waiting, "the change is there")
-	assert_greater(field.get_tiles().x, before.x)
+	assert_greater(field.get_grid_size().x, before.x)
 	assert_eq(field.get_counters().makings, 2)
 
 
@@ -99,7 +99,7 @@ func same_as_fresh(field: GrassField, tile := Vector2i(0, 0)) -> void:
 	for property: String in ["seed", "clump_lean", "clump_size", "density", "size", "patch", "species", "map"]:
 		properties[property] = field.get(property)
 	var fresh := add_field(properties)
-	fresh.density_at(Vector3.ZERO)  # at once
+	fresh.get_density_at(Vector3.ZERO)  # at once
 	assert_eq(tile_knots(field, tile), tile_knots(fresh, tile))
 	fresh.free()
 
@@ -119,7 +119,7 @@ func test_another_map_comes_when_it_is_laid_out() -> void:
 	var field := add_field({map = hilly_map(1.0), size = Vector2(300, 300)})
 	await ticks(2)
 	var before := field.get_counters()
-	var tile := field.get_tiles() / 2
+	var tile := field.get_grid_size() / 2
 	var old := tile_knots(field, tile)
 	var next := hilly_map(3.0)
 	field.map = next
@@ -128,19 +128,19 @@ func test_another_map_comes_when_it_is_laid_out() -> void:
 		await frames(1)
 		assert_true(field.get_statistics().waiting, "it takes longer than that")
 		assert_eq(tile_knots(field, tile), old, "the old map shows")
-		assert_eq(field.density_at(Vector3(-100, 0, 100)), 1.0)
+		assert_eq(field.get_density_at(Vector3(-100, 0, 100)), 1.0)
 	next.stroke(brush(GrassBrush.TOOL_ERASE, 8.0), Vector2(-100, 100), Vector2(-100, 100))  # while it is being laid out
 	next.stroke(brush(GrassBrush.TOOL_ERASE, 8.0), Vector2(100, 100), Vector2(100, 100))
-	assert_eq(field.density_at(Vector3(-100, 0, 100)), 0.0, "what is asked of the map holds at once")
-	assert_eq(field.density_at(Vector3(100, 0, 100)), 0.0)
-	assert_eq(field.density_at(Vector3(100, 0, 80)), 1.0)
-	assert_near(field.height_at(Vector3(60, 0, 0)) / field.height_at(Vector3(60, 0, 9)), 0.5, 0.25)
+	assert_eq(field.get_density_at(Vector3(-100, 0, 100)), 0.0, "what is asked of the map holds at once")
+	assert_eq(field.get_density_at(Vector3(100, 0, 100)), 0.0)
+	assert_eq(field.get_density_at(Vector3(100, 0, 80)), 1.0)
+	assert_near(field.get_height_at(Vector3(60, 0, 0)) / field.get_height_at(Vector3(60, 0, 9)), 0.5, 0.25)
 	await grown(field)
 	var after := field.get_counters()
 	assert_eq(after.makings, before.makings + 1)
 	assert_eq(after.builds, before.builds)
 	assert_greater(after.bare_tiles, 1000)
-	assert_eq(field.density_at(Vector3(-100, 0, 100)), 0.0)
+	assert_eq(field.get_density_at(Vector3(-100, 0, 100)), 0.0)
 	for place: Vector2 in [Vector2(0, 0), Vector2(60, 0), Vector2(-100, 91), Vector2(108, 100), Vector2(-149, 149)]:
 		same_as_fresh(field, field.get_tile_at(Vector3(place.x, 0, place.y)))
 
@@ -158,10 +158,10 @@ func test_a_large_change_of_a_map_comes_piece_by_piece() -> void:
 	var erased := map.take_snapshot()
 	map.clear()
 	assert_greater(field.get_counters().map_waiting, 20)
-	assert_eq(field.density_at(Vector3(140, 0, 140)), 1.0)
+	assert_eq(field.get_density_at(Vector3(140, 0, 140)), 1.0)
 	map.restore_snapshot(flat)
 	map.restore_snapshot(erased)
-	assert_eq(field.density_at(Vector3.ZERO), 0.0, "what is asked of the map holds at once")
+	assert_eq(field.get_density_at(Vector3.ZERO), 0.0, "what is asked of the map holds at once")
 	await grown(field)
 	assert_eq(field.get_counters().makings, makings, "it was not made again")
 	assert_greater(field.get_counters().bare_tiles, 50)

@@ -30,7 +30,7 @@ class Meadow:
 	func _ready() -> void:
 		var field: GrassField = get_child(0)
 		blades = field.get_blade_count()
-		tiles = field.get_tiles()
+		tiles = field.get_grid_size()
 
 
 ## name -> usage, as this field's inspector has it.

@@ -54,7 +54,7 @@ func test_a_ledge_is_an_answer_and_follows_its_property() -> void:
 	await seen()
 	var edge := Vector3(2.3, 0, 0.1)
 	assert_eq(field.explain(edge).reason, GrassField.REASON_LEDGE)
-	assert_near(field.density_at(edge), 0.0, 0.0)
+	assert_near(field.get_density_at(edge), 0.0, 0.0)
 	assert_near(field.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(edge.x, edge.z)), 0.0, 0.0)
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(2.1, 0.1)), 1.0, 0.001, "on the block")
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(2.5, 0.1)), 0.0, 0.001, "beside it")

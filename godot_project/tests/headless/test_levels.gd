@@ -61,23 +61,23 @@ func test_bodies_press_the_field_that_they_stand_in() -> void:
 	await ticks(10)
 	assert_greater(bridge.get_awake_tile_count(), 0)
 	assert_eq(meadow.get_awake_tile_count(), 0, "nothing moves below the bridge")
-	assert_greater(bridge.bend_at(ON_DECK).length(), 0.0)
+	assert_greater(bridge.get_bend_at(ON_DECK).length(), 0.0)
 	body.position = BELOW + Vector3(0, 0.3, 0)
 	await ticks_to_sleep(bridge)
 	await ticks(10)
 	assert_greater(meadow.get_awake_tile_count(), 0)
 	assert_eq(bridge.get_awake_tile_count(), 0, "nor on it")
-	assert_greater(meadow.bend_at(BELOW).length(), 0.0)
+	assert_greater(meadow.get_bend_at(BELOW).length(), 0.0)
 
 
 func test_places_belong_to_one_level() -> void:
 	await add_levels()
 	for level: Array in [[meadow, BELOW, ON_DECK], [bridge, ON_DECK, BELOW]]:
 		var field: GrassField = level[0]
-		assert_eq(field.density_at(level[1]), 1.0, field.name)
-		assert_greater(field.height_at(level[1]), 0.1, field.name)
-		assert_eq(field.density_at(level[2]), 0.0, "the other level is not %s's" % field.name)
-		assert_eq(field.height_at(level[2]), 0.0, field.name)
+		assert_eq(field.get_density_at(level[1]), 1.0, field.name)
+		assert_greater(field.get_height_at(level[1]), 0.1, field.name)
+		assert_eq(field.get_density_at(level[2]), 0.0, "the other level is not %s's" % field.name)
+		assert_eq(field.get_height_at(level[2]), 0.0, field.name)
 		assert_false(field.is_grass_at(level[2]), field.name)
 
 
@@ -122,19 +122,19 @@ func test_bands_that_are_none() -> void:
 	meadow = add_field()
 	await grown(meadow)
 	assert_eq([meadow.ground_low, meadow.ground_high], [-1024.0, 1024.0])
-	assert_eq(meadow.density_at(Vector3(0, 5000, 0)), 1.0, "without a band heights do not matter")
+	assert_eq(meadow.get_density_at(Vector3(0, 5000, 0)), 1.0, "without a band heights do not matter")
 	expect_error("`ground_low` is not below `ground_high`, so no ground and no place belongs to the field")
 	expect_error("bake_ground() finds nothing: `ground_low`")
 	var none := add_field({ground_low = 2.0, ground_high = 1.0})
 	await grown(none)
 	assert_eq(none.bake_ground(), 0)
-	assert_eq(none.density_at(Vector3.ZERO), 0.0)
+	assert_eq(none.get_density_at(Vector3.ZERO), 0.0)
 	assert_eq(none.explain(Vector3.ZERO).reason, GrassField.REASON_LEVEL)
 
 
 ## The mean direction from root to tip of a tile's blades, in the world's axes, as shares of their lengths.
 func mean_reach(field: GrassField) -> Vector3:
-	var knots := tile_knots(field, field.get_tiles() / 2)
+	var knots := tile_knots(field, field.get_grid_size() / 2)
 	var sum := Vector3.ZERO
 	for blade in BLADES:
 		sum += (knots[blade * KNOTS + KNOTS - 1] - knots[blade * KNOTS]) / length_of(knots, blade)
@@ -183,7 +183,7 @@ func test_forces_blow_along_the_worlds_axes() -> void:
 		for i in 30:
 			field.push(Vector3.ZERO, Vector3(12, 0, 0), 8.0, 1.0)
 			await ticks(1)
-		var bend := field.bend_at(Vector3.ZERO)
+		var bend := field.get_bend_at(Vector3.ZERO)
 		var along := bend - bend.dot(field.global_basis.y) * field.global_basis.y  # the face
 		level = along.x if turn == Vector3.ZERO else level
 		assert_greater(along.x, 0.3, "bends along the world's x, turned by %s" % turn)

@@ -164,7 +164,7 @@ func test_who_is_aboard_bends_the_grass() -> void:
 			await ticks(1)
 		var at_crate := raft.to_global(Vector3(2.1, 0, 1.1))
 		assert_true(field.is_tile_awake(field.get_tile_at(at_crate)), "%s: below the crate" % kind)
-		assert_less(field.bend_at(at_crate).y, -0.1, "%s: the crate presses it" % kind)
+		assert_less(field.get_bend_at(at_crate).y, -0.1, "%s: the crate presses it" % kind)
 		assert_true(field.is_tile_awake(field.get_tile_at(roller.position)), "%s: below the ball" % kind)
 		assert_true(field.is_tile_awake(field.get_tile_at(walker.position)), "%s: below the walker" % kind)
 		assert_less(field.get_awake_tile_count(), 250, "%s: and their wakes" % kind)

@@ -24,8 +24,8 @@ func state() -> Array:
 	var field: GrassField = pairs.stage.country.field
 	var place: Vector3 = pairs.pair.on_ground(Vector3.ZERO)
 	var facts := [field.density, field.species.size(), field.snow, field.wind_speed]
-	facts.append(snappedf(field.density_at(place), 0.1))
-	facts.append(snappedf(field.height_at(place), 0.02))
+	facts.append(snappedf(field.get_density_at(place), 0.1))
+	facts.append(snappedf(field.get_height_at(place), 0.02))
 	var worn := 0.0
 	for i in 5:
 		var at := place + Vector3(0.0, 0.0, 0.2 * i)
@@ -37,7 +37,7 @@ func state() -> Array:
 func bend() -> float:
 	var most := 0.0
 	for i in 5:
-		var lean: Vector3 = pairs.stage.country.field.bend_at(pairs.pair.on_ground(Vector3(0.25, 0.0, -0.5 * i)))
+		var lean: Vector3 = pairs.stage.country.field.get_bend_at(pairs.pair.on_ground(Vector3(0.25, 0.0, -0.5 * i)))
 		most = maxf(most, absf(lean.x) + absf(lean.y) + absf(lean.z))
 	return most
 

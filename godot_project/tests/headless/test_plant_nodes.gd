@@ -94,7 +94,7 @@ func settled(field: GrassField) -> void:
 
 func species_of(field: GrassField, blade: int) -> int:
 	var tile := blade / BLADES
-	var width := field.get_tiles().x
+	var width := field.get_grid_size().x
 	return field.get_blade_species(Vector2i(tile % width, tile / width), blade % BLADES)
 
 

@@ -34,7 +34,7 @@ func test_each_preset_grows_stands_and_bends() -> void:
 		await ticks(3)
 		assert_greater(field.get_blade_count(), 500, name)
 		var species: GrassSpecies = field.species[-1]
-		var height: float = field.height_at(Vector3.ZERO)
+		var height: float = field.get_height_at(Vector3.ZERO)
 		assert_greater(height, 0.2 * species.patch.length_min, name)
 		assert_less(height, species.patch.length_max * 1.35, name)
 		var body := AnimatableBody3D.new()

@@ -94,7 +94,7 @@ func test_the_rest_is_kept() -> void:
 		field.set(property, values[property])
 		assert_eq(field.get(property), values[property], property)
 	await ticks(3)
-	assert_eq(field.get_tiles(), Vector2i(6, 11))
+	assert_eq(field.get_grid_size(), Vector2i(6, 11))
 
 
 func test_bad_numbers_are_brought_within_limits_and_named() -> void:

@@ -94,7 +94,7 @@ func test_what_is_bent_stays_bent() -> void:
 	assert_eq(fields[0].get_counters().evicted, 0)
 	for tile in awake:
 		assert_true(all_finite(fields[0], [tile]))
-	assert_greater(fields[0].bend_at(Vector3(0.5, 0, 0.2)).length(), 0.03)
+	assert_greater(fields[0].get_bend_at(Vector3(0.5, 0, 0.2)).length(), 0.03)
 
 
 func test_of_too_many_tiles_some_come_to_rest() -> void:

@@ -36,7 +36,7 @@ func test_blades_around_a_place() -> void:
 	await ticks(1)
 	var place := field.to_global(Vector3(0.3, 2.0, 0.9))
 	var expected := PackedInt64Array()
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			var roots := roots_of(field.get_tile_knots(Vector2i(x, z)))
@@ -75,7 +75,7 @@ func test_a_border_that_fades_is_in_the_picture_only() -> void:
 	var answers := []
 	for field in fields:
 		var place := Vector3(1.95, 0, 0.4)
-		answers.append([field.height_at(place), field.density_at(place), field.is_grass_at(place), field.find_blades(place, 0.3)])
+		answers.append([field.get_height_at(place), field.get_density_at(place), field.is_grass_at(place), field.find_blades(place, 0.3)])
 		answers[-1].append(field.get_tile_knots(tile))
 		assert_ne(answers[-1][-1], upright, "the body bends the blades")
 	assert_eq(answers[0], answers[1])

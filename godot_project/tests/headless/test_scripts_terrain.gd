@@ -129,7 +129,7 @@ func try_terrain(type: Script, method: String) -> void:
 			add_terrain(type.new(), method)
 			field.terrain = NodePath("../%s/Terrain" % level.ground.name)
 			level.add_child(field)
-			field.density_at(Vector3.ZERO)
+			field.get_density_at(Vector3.ZERO)
 			await until_heard(),
 		method + " of a field that is made"
 	)

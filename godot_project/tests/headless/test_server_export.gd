@@ -62,12 +62,12 @@ const SCRIPT := """extends Node3D
 func _process(_delta: float) -> void:
 	for field: GrassField in get_children():
 		var counters := field.get_counters()
-		if field.get_statistics().waiting or counters.fill_waiting > 0 or counters.map_waiting > 0 or field.get_tiles() == Vector2i.ZERO:
+		if field.get_statistics().waiting or counters.fill_waiting > 0 or counters.map_waiting > 0 or field.get_grid_size() == Vector2i.ZERO:
 			return
 	var answers := []
 	for field: GrassField in get_children():
 		for x: float in [-4.0, 4.0]:
-			answers.append(field.density_at(Vector3(x, 0, 1)))
+			answers.append(field.get_density_at(Vector3(x, 0, 1)))
 		answers.append(field.fill_rule.get_mask_state() == GrassFillRule.MASK_STATE_READY)
 		answers.append(field.fill_rule.mask.get_class() == "PlaceholderTexture2D")
 		field.fill_rule.mask = load("res://mask.png")

@@ -146,4 +146,4 @@ func test_nothing_grows_by_a_mask_that_is_too_large() -> void:
 	expect_error("GrassFillRule 'Shore': the picture of `mask` has 8193 x 1 texels")
 	var field := add_field({map = full_map(), fill_rule = rule})
 	await grown(field)
-	assert_eq(field.density_at(Vector3.ZERO), 0.0)
+	assert_eq(field.get_density_at(Vector3.ZERO), 0.0)

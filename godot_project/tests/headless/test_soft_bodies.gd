@@ -54,8 +54,8 @@ func test_a_soft_ball_falls_into_the_grass() -> void:
 	assert_eq(field.get_counters().soft_bodies, 1, "and known")
 	await ticks(120)
 	assert_eq(field.get_counters().colliders, 8, "its parts")
-	assert_less(field.bend_at(Vector3(0.25, 0, 0.25)).y, -0.3, "grass lies below it")
-	assert_near(field.bend_at(Vector3(2, 0, 2)).y, 0.0, 0.01, "and stands beside it")
+	assert_less(field.get_bend_at(Vector3(0.25, 0, 0.25)).y, -0.3, "grass lies below it")
+	assert_near(field.get_bend_at(Vector3(2, 0, 2)).y, 0.0, 0.01, "and stands beside it")
 	assert_eq(entered, [body])
 	assert_true(all_finite(field, awake_tiles(field)))
 	body.free()
@@ -94,7 +94,7 @@ func test_cloth_presses_and_is_put_elsewhere() -> void:
 	var deepest := 0.0
 	for i in 60:
 		await ticks(1)
-		deepest = minf(deepest, field.bend_at(Vector3(-4, 0, 0)).y)
+		deepest = minf(deepest, field.get_bend_at(Vector3(-4, 0, 0)).y)
 	assert_less(deepest, -0.3, "it presses grass as it falls")
 	shift(cloth, Vector3(8, 0.1, 0))
 	await ticks(5)

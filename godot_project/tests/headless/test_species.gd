@@ -18,7 +18,7 @@ func make(share: float, length := 0.5, properties := {}) -> GrassSpecies:
 func count(field: GrassField) -> PackedInt32Array:
 	var found := PackedInt32Array()
 	found.resize(8)
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for blade in BLADES:
@@ -134,7 +134,7 @@ func test_what_is_painted_grows_alone() -> void:
 	assert_near(float(found[2]) / field.get_blade_count(), PI * 4.0 / 64.0, 0.04)
 	for blade in BLADES:
 		assert_eq(field.get_blade_species(Vector2i(8, 8), blade), 2)
-	assert_greater(field.height_at(Vector3.ZERO), 1.5 * field.height_at(Vector3(3.5, 0, 3.5)))
+	assert_greater(field.get_height_at(Vector3.ZERO), 1.5 * field.get_height_at(Vector3(3.5, 0, 3.5)))
 
 
 ## Two species of the same blades, of which one is four times as fast: after the same push it is back far earlier.
@@ -233,7 +233,7 @@ func test_stems_of_a_plant_share_a_root() -> void:
 	await ticks(2)
 	var shared := 0
 	var plants := 0
-	var tiles := field.get_tiles()
+	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for first in range(0, BLADES, 4):

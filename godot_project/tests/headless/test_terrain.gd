@@ -21,12 +21,12 @@ func test_nothing_grows_in_a_hole() -> void:
 		var field := await field_on()
 		var what: String = terrain.get_script().resource_path
 		for at: Vector3 in [Vector3(8, 0, 0), Vector3(5.5, 0, -2.5), Vector3(10.5, 0, 2.5)]:
-			assert_eq(field.density_at(at), 0.0, "%s, %s" % [what, at])
+			assert_eq(field.get_density_at(at), 0.0, "%s, %s" % [what, at])
 		for at: Vector3 in [Vector3(1, 0, 0), Vector3(15, 0, 0), Vector3(8, 0, 8)]:
-			assert_near(field.density_at(at), 1.0, 0.01, "%s, %s" % [what, at])
+			assert_near(field.get_density_at(at), 1.0, 0.01, "%s, %s" % [what, at])
 		field.map.stroke(brush(GrassBrush.TOOL_PAINT, 3.0), Vector2(8, 0), Vector2(8, 0))
 		await grown(field)
-		assert_eq(field.density_at(Vector3(8, 0, 0)), 0.0, "painted")
+		assert_eq(field.get_density_at(Vector3(8, 0, 0)), 0.0, "painted")
 		var answer := field.explain(Vector3(8, 0, 0))
 		assert_eq(answer.reason, GrassField.REASON_HOLE, answer.text)
 		assert_true(answer.text.contains("hole"), answer.text)
@@ -40,19 +40,19 @@ func test_a_version_of_terrain_3d_whose_holes_have_heights() -> void:
 	terrain.data.holes_have_heights = true
 	add_terrain(terrain)
 	var field := await field_on()
-	assert_eq(field.density_at(Vector3(8, 0, 0)), 0.0)
-	assert_near(field.density_at(Vector3(0, 0, 0)), 1.0, 0.01)
+	assert_eq(field.get_density_at(Vector3(8, 0, 0)), 0.0)
+	assert_near(field.get_density_at(Vector3(0, 0, 0)), 1.0, 0.01)
 
 
 func test_beyond_a_terrains_border_nothing_grows() -> void:
 	var terrain := add_terrain(HTerrainLike.new())  # 256 m wide
 	var field := await field_on({position = Vector3(128, 0, 0)})
-	assert_near(field.density_at(Vector3(124, 0, 0)), 1.0, 0.01)
-	assert_eq(field.density_at(Vector3(132, 0, 0)), 0.0)
+	assert_near(field.get_density_at(Vector3(124, 0, 0)), 1.0, 0.01)
+	assert_eq(field.get_density_at(Vector3(132, 0, 0)), 0.0)
 	terrain.position = Vector3(20, 3, 0)
 	await frames(50)
 	await read(field)
-	assert_near(field.density_at(Vector3(132, 0, 0)), 1.0, 0.01, "the terrain was moved there")
+	assert_near(field.get_density_at(Vector3(132, 0, 0)), 1.0, 0.01, "the terrain was moved there")
 	var ground := field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0, 0))
 	assert_near(ground, 3.0 + terrain.hills.height(108, 0), 0.05)
 
@@ -105,7 +105,7 @@ func test_heights_in_bulk() -> void:
 	terrain.hills.hole = Rect2(4, -4, 8, 8)
 	var field := await field_on()
 	assert_less(off_the_hills(field, terrain.hills), 0.05)
-	assert_eq(field.density_at(Vector3(8, 0, 0)), 0.0)
+	assert_eq(field.get_density_at(Vector3(8, 0, 0)), 0.0)
 	assert_less(20 * counter(field, "terrain_calls"), counter(field, "terrain_queries"), "a call for each row")
 
 
@@ -132,7 +132,7 @@ func test_nodes_that_are_no_terrain_are_named() -> void:
 	expect_error("get_height() of 'Terrain' returned String, not a number")
 	field.terrain = NodePath("../Terrain")
 	await frames(4)
-	assert_eq(field.density_at(Vector3.ZERO), 0.0, "no height is a hole")
+	assert_eq(field.get_density_at(Vector3.ZERO), 0.0, "no height is a hole")
 
 
 func test_a_rule_that_asks_for_textures_of_no_terrain() -> void:

@@ -31,7 +31,7 @@ func test_calls_from_another_thread_are_refused() -> void:
 	)
 	assert_eq(field.map, map)
 	assert_near(field.friction, 1.0, 1e-6)
-	assert_eq(field.density_at(Vector3.ZERO), 1.0)
+	assert_eq(field.get_density_at(Vector3.ZERO), 1.0)
 	assert_near(field.get_mown_share(ball(0.5), Transform3D()), 0.0, 1e-6)
 
 
@@ -53,7 +53,7 @@ func test_resources_that_a_field_uses_are_refused_too() -> void:
 			species.natural_frequency = 3.0
 			field.fill_rule.seed = 4
 	)
-	assert_eq(field.density_at(Vector3.ZERO), 1.0)
+	assert_eq(field.get_density_at(Vector3.ZERO), 1.0)
 	assert_eq([species.patch.seed, field.fill_rule.seed], [GrassPatch.new().seed, GrassFillRule.new().seed])
 
 
@@ -71,7 +71,7 @@ func test_a_field_is_prepared_on_a_thread() -> void:
 	)
 	add_child(field)
 	await seen()
-	assert_eq(field.density_at(Vector3(1, 0, 1)), 0.0)
+	assert_eq(field.get_density_at(Vector3(1, 0, 1)), 0.0)
 	assert_greater(await bend_with_ball(field, Vector3(-1, 0.25, -1)), 0.02)
 
 
@@ -88,7 +88,7 @@ func test_a_storm_of_calls_does_no_harm() -> void:
 				field.regrow(0.1)
 				field.map = null if i % 2 else GrassMap.new()
 				field.get_knots(Vector2i.ZERO, 0)
-				field.bend_at(Vector3.ZERO)
+				field.get_bend_at(Vector3.ZERO)
 	)
 	await seen()
 	assert_greater(field.get_awake_tile_count(), 0)
@@ -236,7 +236,7 @@ func test_every_property_is_read_on_a_thread() -> void:
 					object.set(property.name, value)
 		await frames(1)
 	thread.wait_to_finish()
-	assert_true(is_finite(field.density_at(Vector3.ZERO)))
+	assert_true(is_finite(field.get_density_at(Vector3.ZERO)))
 
 
 ## One that shares memory: numbers cannot be torn.

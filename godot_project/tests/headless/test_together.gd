@@ -125,11 +125,11 @@ func test_a_field_grows_what_its_map_is_told() -> void:
 	var field := add_field({map = full_map()})
 	var before := server.take_snapshot()
 	await grown(field)
-	assert_greater(field.density_at(Vector3.ZERO), 0.9)
+	assert_greater(field.get_density_at(Vector3.ZERO), 0.9)
 	server.stroke(brush(GrassBrush.TOOL_ERASE, 1.0), Vector2.ZERO, Vector2.ZERO)
 	assert_true(field.map.apply_changes(server.get_changes_since(before)))
 	await grown(field)
-	assert_eq(field.density_at(Vector3.ZERO), 0.0)
+	assert_eq(field.get_density_at(Vector3.ZERO), 0.0)
 	before = server.take_snapshot()
 	server.base_density = 0.0
 	assert_true(field.map.apply_changes(server.get_changes_since(before)))

@@ -44,8 +44,8 @@ func test_a_trimesh_that_moves_bends_by_convex_pieces() -> void:
 	await ticks(30)
 	assert_eq(await collider_count(field), pieces)
 	for place: Vector3 in [Vector3(1.75, 0, 0), Vector3(-1.75, 0, 0), Vector3(0, 0, 1.75), Vector3(0, 0, -1.75)]:
-		assert_less(field.bend_at(place).y, -0.1, "below the ring at %s" % place)
-	assert_near(field.bend_at(Vector3.ZERO).y, 0.0, 0.01, "in its hole")
+		assert_less(field.get_bend_at(place).y, -0.1, "below the ring at %s" % place)
+	assert_near(field.get_bend_at(Vector3.ZERO).y, 0.0, 0.01, "in its hole")
 	assert_true(all_finite(field, awake_tiles(field)))
 	other.position.z = 3.0
 	await ticks(30)
@@ -64,8 +64,8 @@ func test_a_registered_trimesh_is_split_too() -> void:
 	assert_greater(field.get_counters().colliders, 3)
 	assert_eq(field.get_counters().colliders, field.get_counters().mesh_pieces)
 	await ticks(200)
-	assert_near(field.bend_at(Vector3.ZERO).y, 0.0, 0.02, "in its hole grass stands again")
-	assert_less(field.bend_at(Vector3(1.75, 0, 0)).y, -0.1, "below the ring")
+	assert_near(field.get_bend_at(Vector3.ZERO).y, 0.0, 0.02, "in its hole grass stands again")
+	assert_less(field.get_bend_at(Vector3(1.75, 0, 0)).y, -0.1, "below the ring")
 
 
 func test_a_trimesh_of_too_many_faces_bends_by_its_box() -> void:

@@ -33,7 +33,7 @@ func add_vehicle() -> VehicleBody3D:
 
 ## How far the grass at a place lies down, shares of its length.
 func pressed_at(field: GrassField, place: Vector3) -> float:
-	return -field.bend_at(place).y
+	return -field.get_bend_at(place).y
 
 
 func test_wheels_press_the_grass() -> void:

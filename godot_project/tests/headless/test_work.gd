@@ -72,7 +72,7 @@ func test_another_method_makes_the_field_anew() -> void:
 	assert_eq(field.get_counters().makings, after.makings, "the same method again")
 	add_held_body(ball(0.3), Vector3(0.25, 0.25, 0.25))
 	await ticks(10)
-	assert_greater(field.bend_at(Vector3(0.4, 0, 0.25)).length(), 0.1)
+	assert_greater(field.get_bend_at(Vector3(0.4, 0, 0.25)).length(), 0.1)
 
 
 func test_a_field_that_grows_keeps_its_pool() -> void:
@@ -126,7 +126,7 @@ func test_memory_of_a_crowd_comes_back() -> void:
 	assert_near(field.get_memory_usage(), crowded, 5e5, "bytes: who comes back soon finds it as it was")
 	await ticks(220)
 	assert_less(field.get_memory_usage() - alone, 0.2 * (crowded - alone), "bytes left")
-	assert_greater(field.bend_at(bodies[0].position).length(), 0.1, "under the last one grass is bent as before")
+	assert_greater(field.get_bend_at(bodies[0].position).length(), 0.1, "under the last one grass is bent as before")
 	var low := field.get_memory_usage()
 	await ticks(400)
 	assert_eq(field.get_memory_usage(), low, "no coming and going")

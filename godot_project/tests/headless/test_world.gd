@@ -75,19 +75,19 @@ func test_changes_are_written_and_come_back() -> void:
 	assert_greater(cut.area, 10.0)
 	world.paint(brush(GrassBrush.TOOL_DENSITY, 3.0, {target = 0.0}), Vector3(128, 0, 30), Vector3(128, 0, 34))
 	assert_eq(world.get_statistics().changed, 2)
-	var cut_height: float = world.get_field_at(place).height_at(place)
+	var cut_height: float = world.get_field_at(place).get_height_at(place)
 	await go(world, Vector3(4000, 0, 64))
 	world.wait_for_files()
 	assert_eq(world.get_statistics().files_written, 2, "the plots on both sides of the border, too")
 	await go(world, Vector3(64, 0, 64))
-	assert_near(world.get_field_at(place).height_at(place), cut_height, 1e-6)
+	assert_near(world.get_field_at(place).get_height_at(place), cut_height, 1e-6)
 	assert_less(cut_height, 0.2)
 	for x: float in [127.6, 128.4]:
-		assert_eq(world.get_field_at(Vector3(x, 0, 32)).density_at(Vector3(x, 0, 32)), 0.0)
+		assert_eq(world.get_field_at(Vector3(x, 0, 32)).get_density_at(Vector3(x, 0, 32)), 0.0)
 	world.free()
 	world = add_world()
 	await go(world, Vector3(64, 0, 64))
-	assert_near(world.get_field_at(place).height_at(place), cut_height, 1e-6, "in the next game")
+	assert_near(world.get_field_at(place).get_height_at(place), cut_height, 1e-6, "in the next game")
 
 
 func test_save_and_leaving_the_tree() -> void:
@@ -105,7 +105,7 @@ func test_save_and_leaving_the_tree() -> void:
 	assert_eq(left.sample(GrassMap.CHANNEL_DENSITY, Vector2(26, 26)), 0.0, "written when it left")
 	add_child(world)
 	await go(world, Vector3(64, 0, 64))
-	assert_eq(world.get_field_at(Vector3(90, 0, 90)).density_at(Vector3(90, 0, 90)), 0.0)
+	assert_eq(world.get_field_at(Vector3(90, 0, 90)).get_density_at(Vector3(90, 0, 90)), 0.0)
 
 
 func test_a_broken_file_is_refused_by_its_name() -> void:
@@ -117,7 +117,7 @@ func test_a_broken_file_is_refused_by_its_name() -> void:
 	var world := add_world()
 	await go(world, Vector3(64, 0, 64))
 	assert_eq(world.get_statistics().files_refused, 1)
-	assert_eq(world.get_field(Vector2i(0, 0)).density_at(Vector3(64, 0, 64)), 1.0, "stands with the default")
+	assert_eq(world.get_field(Vector2i(0, 0)).get_density_at(Vector3(64, 0, 64)), 1.0, "stands with the default")
 	await go(world, Vector3(4000, 0, 64))
 	assert_eq(FileAccess.get_file_as_bytes(path_of(Vector2i(0, 0))), broken, "left alone")
 	await go(world, Vector3(64, 0, 64))
@@ -193,7 +193,7 @@ func test_without_a_folder_changes_are_kept_and_told_of() -> void:
 	await go(world, Vector3(4000, 0, 64))
 	assert_eq(world.get_statistics().files_kept, 1)
 	await go(world, Vector3(64, 0, 64))
-	assert_eq(world.get_field(Vector2i(0, 0)).density_at(Vector3(40, 0, 40)), 0.0)
+	assert_eq(world.get_field(Vector2i(0, 0)).get_density_at(Vector3(40, 0, 40)), 0.0)
 
 
 func test_wrong_properties() -> void:
@@ -235,14 +235,14 @@ func test_clumps_and_stands_continue_across_borders() -> void:
 	var most := 0.0
 	var heights: Array[float] = []
 	for z in range(4, 124):
-		var here := left.height_at(Vector3(127.999, 0, z + 0.3))
-		most = maxf(most, absf(here - right.height_at(Vector3(128.001, 0, z + 0.3))))
+		var here := left.get_height_at(Vector3(127.999, 0, z + 0.3))
+		most = maxf(most, absf(here - right.get_height_at(Vector3(128.001, 0, z + 0.3))))
 		heights.append(here)
 	assert_less(most, 0.01, "metres, between the last of one plot and the first of the next")
 	assert_greater(heights.max() - heights.min(), 0.2, "there are clumps and stands")
 	var other: Array[float] = []
 	for z in range(4, 124):
-		other.append(right.height_at(Vector3(255.999, 0, z + 0.3)))
+		other.append(right.get_height_at(Vector3(255.999, 0, z + 0.3)))
 	assert_ne(heights, other, "and they are not the same in each plot")
 
 
@@ -260,9 +260,9 @@ func test_noise_of_a_rule_continues_across_borders() -> void:
 	var same := 0
 	var grown := 0
 	for z in range(4, 124):
-		var here := left.density_at(Vector3(127.7, 0, z + 0.25)) > 0.5
+		var here := left.get_density_at(Vector3(127.7, 0, z + 0.25)) > 0.5
 		grown += 1 if here else 0
-		same += 1 if here == (right.density_at(Vector3(128.3, 0, z + 0.25)) > 0.5) else 0
+		same += 1 if here == (right.get_density_at(Vector3(128.3, 0, z + 0.25)) > 0.5) else 0
 	assert_greater(same, 112, "of 120 places on both sides of the border")
 	assert_greater(grown, 20)
 	assert_less(grown, 100)

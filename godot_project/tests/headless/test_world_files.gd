@@ -25,7 +25,7 @@ func erase(world: GrassWorld, place: Vector3) -> void:
 
 
 func density(world: GrassWorld, place := PLACE) -> float:
-	return world.get_field_at(place).density_at(place)
+	return world.get_field_at(place).get_density_at(place)
 
 
 ## What plot (0, 0) has in a folder's file.

@@ -46,7 +46,7 @@ func test_where_a_rule_forbids_grass_none_stands_at_a_ledge_either() -> void:
 	for x in 61:
 		for z in 41:
 			var place := Vector3(0.1 * x - 3.0, 0, 0.1 * z + 18.2)
-			if not assert_eq(world.get_field_at(place).density_at(place), 0.0, str(place)):
+			if not assert_eq(world.get_field_at(place).get_density_at(place), 0.0, str(place)):
 				return
 
 

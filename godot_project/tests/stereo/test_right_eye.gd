@@ -81,7 +81,7 @@ func most_apart(a: PackedFloat32Array, b: PackedFloat32Array) -> float:
 
 
 func test_no_wedge_of_blades_is_missing_in_the_right_eye() -> void:
-	add_seen_field({size = Vector2(16, 16), ground = false})
+	add_seen_field({size = Vector2(16, 16), soil_enabled = false})
 	eyes_camera.current = true
 	viewport.use_xr = true
 	await drawn()

@@ -20,7 +20,7 @@ func _ready() -> void:
 		_add_mover(shape)
 	var fields: Array[GrassField] = []
 	if "--field" in OS.get_cmdline_user_args():
-		fields = [_add_field(-2.5, {}), _add_field(2.5, {map = _hilly_map(), species = _two_species(), ground = true})]
+		fields = [_add_field(-2.5, {}), _add_field(2.5, {map = _hilly_map(), species = _two_species(), soil_enabled = true})]
 		await _compiled(fields)
 	for tick in TICKS:
 		for i in _movers.size():
