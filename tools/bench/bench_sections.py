@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The sections of docs/benchmarks/README.md, each made of tables of parts. SECTIONS lists them in order."""
 
+from tools.bench import small_card
 from tools.bench.paper_page import grid, number
 from tools.bench.paper_rows import pick
 
@@ -287,4 +288,5 @@ SECTIONS = (
 	(sleeping, ("sleep",)),
 	(awake, ("awake",)),
 	(detail, ("detail",)),
+	(small_card.section, ("detail", "kernel")),
 )

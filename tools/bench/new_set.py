@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Takes a new set of tables: puts them into folders DATE-CARD and DATE-PROCESSOR, writes docs/benchmarks/set.json, plots and all pages, and
-removes tables that no page names any more. `python3 -m tools.bench.new_set` writes the pages of the present set anew."""
+removes tables and plots that no page names. `python3 -m tools.bench.new_set` writes the pages of the present set anew."""
 
 import re
 import shutil
@@ -52,10 +52,10 @@ def write(card, here, folder, commit, is_quick):
 	add_accuracy(tables, new, is_quick)
 	tables.save()
 	write_pages(tables)
-	for table in unnamed(folder):
-		if table in before:
-			(folder / table).unlink()
-			say(f"Removed {table}: no page names it any more")
+	for file in unnamed(folder):
+		if file in before or file.endswith(".svg"):
+			(folder / file).unlink()
+			say(f"Removed {file}: no page names it")
 	if lacking := [name for name, part in BY_NAME.items() if part.pages and name not in new]:
 		say(f"Not in this set, so pages show earlier tables and say so, or none: {', '.join(lacking)}")
 	if others := [name for name, (_, record) in new.items() if record["commit"] != tables.commit]:

@@ -62,7 +62,8 @@ const SCRIPT := """extends Node3D
 func _process(_delta: float) -> void:
 	for field: GrassField in get_children():
 		var counters := field.get_counters()
-		if field.get_statistics().waiting or counters.fill_waiting > 0 or counters.map_waiting > 0 or field.get_grid_size() == Vector2i.ZERO:
+		var waits: bool = field.get_statistics().waiting or counters.fill_waiting > 0 or counters.map_waiting > 0
+		if waits or field.get_grid_size() == Vector2i.ZERO:
 			return
 	var answers := []
 	for field: GrassField in get_children():
