@@ -6,10 +6,12 @@
 ##   --size SIZE    side of the field: large (64 m, 1,048,576 blades), small (20 m, 102,400 blades) or a number of metres;
 ##                  by default large on a GPU, small in software
 ##   --bodies N     default 128
-##   --place NAME   another scene of this folder instead, which reads the other arguments: lawn, meadow, reeds, walk, presets, gallery,
-##                  pairs, film, benchmark (an exported project takes no scene's path)
+##   --place NAME   another scene of this folder instead, which reads the other arguments: lawn, meadow, reeds, forces, burning, levels,
+##                  walk, presets, gallery, pairs, film, benchmark (an exported project takes no scene's path)
 extends Node3D
 
+const Landscape := preload("res://demo/landscape.gd")
+const Options := preload("res://demo/options.gd")
 const Bodies := preload("res://demo/bodies.gd")
 const Report := preload("res://demo/report.gd")
 const Shots := preload("res://demo/shots.gd")
@@ -21,13 +23,13 @@ const SIZES := {"large": 64.0, "small": 20.0}  # metres
 @onready var field: GrassField = $Field
 @onready var camera: Camera3D = $Camera
 
-var _options := {"out": "", "size": "", "bodies": 128, "place": "demo"}
+var _options := Options.read({"out": "", "size": "", "bodies": 128, "place": "demo"})
+var _landscape := Landscape.new()
 var _bodies: Array[RigidBody3D] = []
 var _time := 0.0  # seconds since the throw, in physics ticks
 
 
 func _ready() -> void:
-	_read_options()
 	if _options.place != "demo":
 		get_tree().change_scene_to_file.call_deferred("res://demo/%s.tscn" % _options.place)
 		return
@@ -38,6 +40,9 @@ func _ready() -> void:
 	var size: String = _options.size if _options.size else ("small" if software else "large")
 	var side: float = SIZES.get(size, size.to_float())
 	field.size = Vector2(side, side)
+	add_child(_landscape)
+	_landscape.surround(field, null, software)
+	$World.environment = Landscape.with_clouds($World.environment)
 	field.measure_time = true
 	if software:  # one cascade instead of four: a frame takes seconds
 		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
@@ -66,21 +71,12 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		get_tree().change_scene_to_file("res://demo/benchmark.tscn")
 	if event.is_pressed() and event.keycode in [KEY_F1, KEY_F2]:
 		var view := GrassField.DEBUG_VIEW_AWAKE_TILES if event.keycode == KEY_F1 else GrassField.DEBUG_VIEW_LOD
-		field.debug_view = GrassField.DEBUG_VIEW_OFF if field.debug_view == view else view
+		_show(GrassField.DEBUG_VIEW_OFF if field.debug_view == view else view)
 
 
-func _read_options() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	var place := arguments.find("--place")
-	if place >= 0 and place + 1 < arguments.size():
-		_options.place = arguments[place + 1]
-		return
-	for i in range(0, arguments.size(), 2):
-		var key := arguments[i].trim_prefix("--")
-		if not _options.has(key) or i + 1 == arguments.size():
-			push_error("Demo: cannot read the argument '%s'. Use --out DIR, --size SIZE, --bodies N, --place NAME." % arguments[i])
-		else:
-			_options[key] = type_convert(arguments[i + 1], typeof(_options[key]))
+func _show(view: GrassField.DebugView) -> void:
+	for each: GrassField in [field] + _landscape.country.fields:
+		each.debug_view = view
 
 
 func _throw(side: float) -> void:
@@ -88,7 +84,7 @@ func _throw(side: float) -> void:
 		body.queue_free()
 	_bodies.clear()
 	var source := Bodies.new(7)
-	for i in int(_options.bodies):
+	for i: int in _options.bodies:
 		var body := source.make()
 		source.throw(body, side)
 		_bodies.append(body)
@@ -125,9 +121,9 @@ func _record(side: float, software: bool) -> void:
 		report.frame(shots.draw_ms)
 	_look_down()
 	await shots.take("7_birds_eye")
-	field.debug_view = GrassField.DEBUG_VIEW_AWAKE_TILES
+	_show(GrassField.DEBUG_VIEW_AWAKE_TILES)
 	await shots.take("8_birds_eye_awake_tiles")
-	field.debug_view = GrassField.DEBUG_VIEW_OFF
+	_show(GrassField.DEBUG_VIEW_OFF)
 	var table := report.table(_bodies.size(), software)
 	print(table)
 	var file := FileAccess.open(_options.out.path_join("table.txt"), FileAccess.WRITE)

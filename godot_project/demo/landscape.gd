@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Surroundings up to the horizon, made of the walk's country: a level middle for what is shown, around it meadows, hills and groves.
+## Surroundings up to the horizon, made of the walk's country: a level middle or a terrain for what is shown, around it meadows, hills and
+## groves.
 extends Node3D
 
 const Hills := preload("res://demo/walk/hills.gd")
@@ -28,6 +29,17 @@ func make(p_middle: float, p_level: float, is_small: bool) -> void:
 	country.surround(p_middle if is_small else maxf(p_middle, CLOSE), SIDE[is_small], hills, Country.FAR_DENSITY)
 	trees.make(hills, clampf(0.5 * p_middle, 45.0, 70.0), 460.0)
 	set_weather(0.0, 0.0)
+
+
+## Makes it around a field, whose grass goes on there. p_terrain: what the field stands on; null: level ground.
+func surround(p_field: GrassField, p_terrain: Hills.Terrain, is_small: bool) -> void:
+	country.species = p_field.species
+	if not country.species:
+		country.species = [GrassSpecies.new()]
+	p_field.border_fade = 0.0
+	hills.terrain = p_terrain
+	make(p_field.size.x, 0.0 if p_terrain else p_field.size.x, is_small)
+	set_wind(p_field.wind_speed)
 
 
 ## A copy of an environment, with clouds in its sky.

@@ -26,6 +26,7 @@ func _ready() -> void:
 	_roller.hardness = 0.8
 	_roller.strength = 0.6
 	_place()
+	landscape.trees.others.append($Tree.position)
 	super()
 
 

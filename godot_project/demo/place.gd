@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: MIT
 ## A place with grass in which something happens. Started with `-- --out DIR` (`./grass demo NAME`) it takes the picture of each of its
 ## cameras, in their order, at the second that follows "at_" in the camera's name, then ends. Otherwise it runs until it is closed, seen
-## through the first camera; the keys 1 to 9 change the camera.
+## through the first camera; the keys 1 to 9 change the camera. `--size small` makes less of the landscape around it: for software rendering.
 extends Node3D
 
+const Landscape := preload("res://demo/landscape.gd")
+const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
 
+## large or small; empty: the one in the arguments, by default large.
+@export var size := ""
+
 var time := 0.0  # seconds, in physics ticks
+var landscape := Landscape.new()
 
 @onready var field: GrassField = $Field
 @onready var cameras: Array[Node] = $Cameras.get_children()
@@ -14,10 +20,14 @@ var time := 0.0  # seconds, in physics ticks
 
 func _ready() -> void:
 	field.measure_time = true
-	var arguments := OS.get_cmdline_user_args()
-	var out := arguments.find("--out")
-	if out >= 0 and out + 1 < arguments.size():
-		await record(arguments[out + 1])
+	var options := Options.read({"out": "", "size": "large"})
+	if has_node(^"Water"):
+		landscape.hills.water = $Water.position.y
+	add_child(landscape)
+	landscape.surround(field, get_node_or_null(^"Terrain"), (size if size else options.size) == "small")
+	$World.environment = Landscape.with_clouds($World.environment)
+	if options.out:
+		await record(options.out)
 		get_tree().quit()
 
 

@@ -4,6 +4,7 @@
 extends Node3D
 
 const Landscape := preload("res://demo/landscape.gd")
+const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
 const FOLDER := "res://addons/grass_field/presets/"
 const WIND := 2.0  # m/s
@@ -30,17 +31,15 @@ const FIELDS := {
 
 var _shown: Array = FIELDS.keys()
 var _is_small := false
+var _options := Options.read({"out": "", "only": "", "size": "large"})
 
 @onready var _camera: Camera3D = $Camera
 
 
 func _ready() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	var only := arguments.find("--only")
-	if only >= 0 and only + 1 < arguments.size():
-		_shown = Array(arguments[only + 1].split(","))
-	var size := arguments.find("--size")
-	_is_small = size >= 0 and size + 1 < arguments.size() and arguments[size + 1] == "small"
+	if _options.only:
+		_shown = Array(_options.only.split(","))
+	_is_small = _options.size == "small"
 	for name: String in _shown:
 		var field := make(name)
 		field.size = Vector2.ONE * float(FIELDS[name][1] if _is_small else SIDE)
@@ -51,9 +50,8 @@ func _ready() -> void:
 	landscape.set_wind(WIND)
 	$World.environment = Landscape.with_clouds($World.environment)
 	_show(0)
-	var out := arguments.find("--out")
-	if out >= 0 and out + 1 < arguments.size():
-		await _record(arguments[out + 1])
+	if _options.out:
+		await _record(_options.out)
 		get_tree().quit()
 
 

@@ -6,6 +6,7 @@ extends Node3D
 
 signal ended(result: Dictionary)
 
+const Options := preload("res://demo/options.gd")
 const Machine := preload("res://demo/benchmark/machine.gd")
 const Meter := preload("res://demo/benchmark/meter.gd")
 const Parts := preload("res://demo/benchmark/parts.gd")
@@ -60,10 +61,8 @@ func _exit_tree() -> void:
 
 
 func _begin() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	var out := arguments.find("--out")
 	if not folder:
-		folder = arguments[out + 1] if out >= 0 and out + 1 < arguments.size() else FOLDER
+		folder = Options.read({"out": FOLDER}).out
 	share = share if share > 0.0 else SOFTWARE_SHARE if Machine.is_software() else 1.0
 	_msaa = get_viewport().msaa_3d
 	get_viewport().msaa_3d = Viewport.MSAA_2X
@@ -113,5 +112,5 @@ func _end(result: Dictionary) -> void:
 	print(text)
 	_words.text = "%s\n\nThis text is in the clipboard, and with the pictures in\n%s\nEsc ends the program." % [text, place]
 	ended.emit(result)
-	if OS.get_cmdline_user_args().has("--out"):
+	if Options.all().has("out"):
 		get_tree().quit()

@@ -7,6 +7,7 @@
 ##   --size SIZE    of the country, as of the walk: large (default), small, tiny
 extends Node3D
 
+const Options := preload("res://demo/options.gd")
 const Shot := preload("res://demo/film/shot.gd")
 const Shots := preload("res://demo/shots.gd")
 const Stage := preload("res://demo/stage.gd")
@@ -26,16 +27,15 @@ const QUALITY := 0.7  # of the frames, which are encoded once more
 var shot: Shot  ## the one that is shown
 
 var _writing: Array[int] = []  # tasks
-var _options := {"out": "", "rate": 30, "every": 1, "only": "", "size": "large"}
+var _options := Options.read({"out": "", "rate": 30, "every": 1, "only": "", "size": "large"})
 
 @onready var stage: Stage = $Stage
 @onready var _camera: Camera3D = $Camera
 
 
 func _ready() -> void:
-	_read_options()
 	get_viewport().msaa_3d = Viewport.MSAA_4X
-	stage.make(size if size else str(_options.size))
+	stage.make(size if size else _options.size)
 	if _options.out:
 		await _record(_options.out)
 		get_tree().quit()
@@ -63,16 +63,8 @@ func show_shot(p_name: String) -> void:
 	add_child(shot)
 
 
-func _read_options() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	for i in range(0, arguments.size() - 1, 2):
-		var key := arguments[i].trim_prefix("--")
-		if _options.has(key):
-			_options[key] = type_convert(arguments[i + 1], typeof(_options[key]))
-
-
 func _record(folder: String) -> void:
-	var names: PackedStringArray = str(_options.only).split(",") if _options.only else PackedStringArray(SHOTS.keys())
+	var names: PackedStringArray = _options.only.split(",") if _options.only else PackedStringArray(SHOTS.keys())
 	await Shots.new(get_viewport(), folder).warm_up()
 	for each in names:
 		show_shot(each)

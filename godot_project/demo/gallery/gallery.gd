@@ -6,6 +6,7 @@
 ## Otherwise the keys left and right change the view.
 extends Node3D
 
+const Options := preload("res://demo/options.gd")
 const Views := preload("res://demo/gallery/views.gd")
 const Place := preload("res://demo/gallery/place.gd")
 const Light := preload("res://demo/gallery/light.gd")
@@ -14,7 +15,7 @@ const SETTLE := {true: 6, false: 40}  # frames until TAA, fog and global light h
 
 var shown := 0
 
-var _options := {"out": "", "only": "", "size": "large", "place": ""}
+var _options := Options.read({"out": "", "only": "", "size": "large"})
 var _place: Place
 var _light: Light
 
@@ -22,9 +23,6 @@ var _light: Light
 
 
 func _ready() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	for i in range(0, arguments.size() - 1, 2):
-		_options[arguments[i].trim_prefix("--")] = arguments[i + 1]
 	if _options.out:
 		await _record(_options.out)
 		get_tree().quit()

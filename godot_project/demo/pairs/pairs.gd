@@ -5,6 +5,7 @@
 ##   --size SIZE    of the country, as of the walk: large (default), small, tiny
 extends Node3D
 
+const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
 const Stage := preload("res://demo/stage.gd")
 const Pair := preload("res://demo/pairs/pair.gd")
@@ -19,7 +20,7 @@ const QUALITY := 0.86
 var pair: Pair  ## the one that is shown
 var is_after := false
 
-var _options := {"out": "", "only": "", "size": "large"}
+var _options := Options.read({"out": "", "only": "", "size": "large"})
 
 var _shots: Shots
 
@@ -28,11 +29,8 @@ var _shots: Shots
 
 
 func _ready() -> void:
-	var arguments := OS.get_cmdline_user_args()
-	for i in range(0, arguments.size() - 1, 2):
-		_options[arguments[i].trim_prefix("--")] = arguments[i + 1]
 	get_viewport().msaa_3d = Viewport.MSAA_4X
-	stage.make(size if size else str(_options.size))
+	stage.make(size if size else _options.size)
 	if _options.out:
 		await _record(_options.out)
 		get_tree().quit()
@@ -68,7 +66,7 @@ func _build() -> void:
 
 func _record(folder: String) -> void:
 	_shots = Shots.new(get_viewport(), folder)
-	var names: PackedStringArray = str(_options.only).split(",") if _options.only else PackedStringArray(Features.ALL.keys())
+	var names: PackedStringArray = _options.only.split(",") if _options.only else PackedStringArray(Features.ALL.keys())
 	for each in names:
 		var halves: Array[Image] = []
 		for after: bool in [false, true]:

@@ -19,6 +19,7 @@ const MESHES_TO := 15.0  # metres; up to 30 m they would cost as much as all the
 
 var field: GrassField  ## the one in the middle
 var fields: Array[GrassField] = []  ## all of them
+var species: Array[GrassSpecies] = []  ## of all fields, in place of SPECIES
 
 
 func make(near: float, hills: Hills) -> void:
@@ -72,24 +73,35 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 	made.map = GrassMap.new()
 	made.map.base_density = 1.0
 	made.surface_hook = load(WEATHER)
-	var species: Array[GrassSpecies] = []
-	for preset: String in SPECIES:
-		if is_near or preset not in WITH_MESH:
-			species.append((load(PRESETS % preset) as GrassSpecies).duplicate())
-			species[-1].share = SPECIES[preset]
-			if preset in WITH_MESH:
-				species[-1].plant_distance = MESHES_TO
-			if not is_near:
-				species[-1].patch = species[-1].patch.duplicate()
-				species[-1].patch.width_min *= FAR_WIDTH
-				species[-1].patch.width_max *= FAR_WIDTH
-	made.species = species
+	made.species = species if species else _mixed(is_near)
 	if not is_near:
+		made.species = _widened(made.species)
 		made.pool_tiles = FAR_POOL
 		made.shadow_distance = 0.0
 	add_child(made)
 	fields.append(made)
 	return made
+
+
+func _mixed(is_near: bool) -> Array[GrassSpecies]:
+	var mixed: Array[GrassSpecies] = []
+	for preset: String in SPECIES:
+		if is_near or preset not in WITH_MESH:
+			mixed.append((load(PRESETS % preset) as GrassSpecies).duplicate())
+			mixed[-1].share = SPECIES[preset]
+			if preset in WITH_MESH:
+				mixed[-1].plant_distance = MESHES_TO
+	return mixed
+
+
+func _widened(narrow: Array[GrassSpecies]) -> Array[GrassSpecies]:
+	var wide: Array[GrassSpecies] = []
+	for each in narrow:
+		wide.append(each.duplicate())
+		wide[-1].patch = each.patch.duplicate() if each.patch else GrassPatch.new()
+		wide[-1].patch.width_min *= FAR_WIDTH
+		wide[-1].patch.width_max *= FAR_WIDTH
+	return wide
 
 
 ## A dirt track around the place where the walk begins: bare in its wheel ruts, low beside them.

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 ## The ground: a square of hills with collision, one height a metre, level in its middle; and hills to the horizon, which are only drawn.
-## Grass draws the ground below it by itself, so these hills are a little lower there.
+## Grass draws the ground below it by itself, so these hills are a little lower there. A terrain may lie in the middle: then they go on from
+## its border.
 extends StaticBody3D
 
+const Terrain := preload("res://demo/terrain.gd")
 const STEP := 4  # metres from one height of the noise to the next; heights between them are interpolated
 const FAR_STEP := 16.0  # metres, of the hills to the horizon
 const FAR := 1600.0  # metres, from the middle to their end
@@ -10,9 +12,13 @@ const RELIEF := 26.0  # metres
 const EARTH := Color(0.4, 0.48, 0.2)  # at the horizon: about the colour of far grass
 const SNOW := Color(0.88, 0.9, 0.95)
 const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
+const BELOW_TERRAIN := 8.0  # metres that they are lower at a terrain, whose every bump they do not follow
+const BLEND := 70.0  # metres from a terrain's border to where the hills are as without it
 
 var side := 0  ## metres
 var level := 0.0  ## metres from the middle up to which the ground is level at height 0; 0: a gently waved middle
+var terrain: Terrain  ## in the middle; null: none
+var water := -INF  ## height of lakes, in which no trees grow
 var shape := HeightMapShape3D.new()
 
 var _material := StandardMaterial3D.new()
@@ -36,6 +42,8 @@ func make(p_side: int) -> void:
 	shape.map_width = side + 1
 	shape.map_depth = side + 1
 	shape.map_data = image.get_data().to_float32_array()
+	if terrain:
+		_lay(terrain)
 	var collider := CollisionShape3D.new()
 	collider.shape = shape
 	add_child(collider)
@@ -88,7 +96,27 @@ func _rise(place: Vector2) -> float:
 	var far := place.length()
 	var steepness := lerpf(0.12, 1.0, smoothstep(15.0, 220.0, far)) + 1.6 * smoothstep(500.0, 1500.0, far)
 	var rise := RELIEF * steepness * _noise.get_noise_2d(place.x, place.y) + 12.0 * smoothstep(60.0, 500.0, far)
+	if terrain:
+		var beside := place.clampf(-0.5 * terrain.size, 0.5 * terrain.size)
+		return lerpf(terrain.height_at(beside.x, beside.y), rise, _beyond_terrain(place))
 	return rise if level == 0.0 else rise * smoothstep(level, 2.0 * level + 80.0, far)
+
+
+## 0 on a terrain, 1 where the hills are as without it.
+func _beyond_terrain(place: Vector2) -> float:
+	if terrain == null:
+		return 1.0
+	return smoothstep(0.0, BLEND, place.distance_to(place.clampf(-0.5 * terrain.size, 0.5 * terrain.size)))
+
+
+## Takes over the heights of a terrain, which stands on the same metres.
+func _lay(p_terrain: Terrain) -> void:
+	var heights := shape.map_data
+	var half := p_terrain.size >> 1
+	for z in range(-half, half + 1):
+		for x in range(-half, half + 1):
+			heights[(z + (side >> 1)) * (side + 1) + x + (side >> 1)] = p_terrain.height_at(x, z)
+	shape.map_data = heights
 
 
 func _mesh() -> ArrayMesh:
@@ -99,7 +127,7 @@ func _mesh() -> ArrayMesh:
 	for z in count:
 		for x in count:
 			var at := Vector2(x, z) * FAR_STEP - Vector2.ONE * reach
-			points.append(Vector3(at.x, _rise(at) - SUNK, at.y))
+			points.append(Vector3(at.x, _rise(at) - lerpf(BELOW_TERRAIN, SUNK, _beyond_terrain(at)), at.y))
 	for z in count:
 		for x in count:
 			var across := points[z * count + mini(x + 1, count - 1)] - points[z * count + maxi(x - 1, 0)]

@@ -21,37 +21,46 @@ const SHADE := 0.45  # of the light on the crown's underside
 const Hills := preload("res://demo/walk/hills.gd")
 
 var count := 0  ## trees
+var others: Array[Vector3] = []  ## places of trees besides those in groves
+
+var _trunks: Array[Transform3D] = []
+var _crowns: Array[Transform3D] = []
 
 
 ## Plants groves on the hills, from `near` to `far` metres from the middle. The same numbers give the same trees.
 func make(hills: Hills, near: float, far: float) -> void:
 	var random := RandomNumberGenerator.new()
 	random.seed = 5
-	var trunks: Array[Transform3D] = []
-	var crowns: Array[Transform3D] = []
 	for grove in GROVES:
 		var way := TAU * (grove + random.randf()) / GROVES
 		var away := lerpf(near, far, pow(random.randf(), 1.7))  # most of them near
 		for tree in random.randi_range(IN_GROVE.x, IN_GROVE.y):
 			var off := Vector2.from_angle(TAU * random.randf()) * SPREAD * sqrt(random.randf())
 			var place := Vector2.from_angle(way) * (away + SPREAD) + off
-			var height := random.randf_range(HEIGHT.x, HEIGHT.y)
-			var turned := Basis(Vector3.UP, TAU * random.randf())
 			var foot := Vector3(place.x, hills.ground_at(place) - 0.3, place.y)
-			var thick := 0.05 * height
-			trunks.append(Transform3D(turned.scaled(Vector3(thick, 0.5 * height, thick)), foot + 0.25 * height * Vector3.UP))
-			for part in PARTS:
-				var crown := turned.scaled(height * part[1] * random.randf_range(0.9, 1.15))
-				crowns.append(Transform3D(crown, foot + height * (turned * part[0])))
-	count = trunks.size()
+			if foot.y > hills.water:
+				_plant(foot, random)
+	for place in others:
+		_plant(place, random)
+	count = _trunks.size()
 	var trunk := CylinderMesh.new()
 	trunk.top_radius = 0.3
 	trunk.bottom_radius = 0.55
 	trunk.height = 1.0
 	trunk.radial_segments = 8
 	trunk.rings = 1
-	_add(trunk, trunks, [BARK], random)
-	_add(_crown(), crowns, LEAVES, random)
+	_add(trunk, _trunks, [BARK], random)
+	_add(_crown(), _crowns, LEAVES, random)
+
+
+func _plant(foot: Vector3, random: RandomNumberGenerator) -> void:
+	var height := random.randf_range(HEIGHT.x, HEIGHT.y)
+	var turned := Basis(Vector3.UP, TAU * random.randf())
+	var thick := 0.05 * height
+	_trunks.append(Transform3D(turned.scaled(Vector3(thick, 0.5 * height, thick)), foot + 0.25 * height * Vector3.UP))
+	for part in PARTS:
+		var crown := turned.scaled(height * part[1] * random.randf_range(0.9, 1.15))
+		_crowns.append(Transform3D(crown, foot + height * (turned * part[0])))
 
 
 func _add(mesh: Mesh, places: Array[Transform3D], colors: Array[Color], random: RandomNumberGenerator) -> void:

@@ -6,6 +6,7 @@
 ##                  rendering, or tiny (64 m in 128 m), for tests
 extends Node3D
 
+const Options := preload("res://demo/options.gd")
 const Actions := preload("res://demo/walk/actions.gd")
 const Parts := preload("res://demo/walk/parts.gd")
 const Tour := preload("res://demo/walk/tour.gd")
@@ -42,7 +43,8 @@ func _ready() -> void:
 	Actions.register()
 	_msaa = get_viewport().msaa_3d
 	get_viewport().msaa_3d = Viewport.MSAA_2X
-	var sides: Array = SIZES[size if size else _argument("--size", "large")]
+	var options := Options.read({"out": "", "parts": "", "size": "large"})
+	var sides: Array = SIZES[size if size else options.size]
 	hills.make(sides[1])
 	country.make(sides[0], hills)
 	$Trees.make(hills, 0.25 * sides[0], 0.45 * sides[1])
@@ -50,13 +52,11 @@ func _ready() -> void:
 	eye.set_up(hills)
 	mower.add_collision_exception_with(walker)
 	reset()
-	var out := _argument("--out", "")
-	var parts := _argument("--parts", "")
-	if parts:
-		await Parts.new(self).measure(parts)
+	if options.parts:
+		await Parts.new(self).measure(options.parts)
 		get_tree().quit()
-	elif out:
-		await Tour.new(self).record(out)
+	elif options.out:
+		await Tour.new(self).record(options.out)
 		get_tree().quit()
 	elif DisplayServer.get_name() != "headless":
 		Input.mouse_mode = Input.MOUSE_MODE_CAPTURED
@@ -179,9 +179,3 @@ func _hint() -> String:
 	if walker.global_position.distance_to(mower.global_position) < mower.REACH:
 		return "E, Y: take the mower"
 	return "E, Y: get in" if walker.global_position.distance_to(jeep.global_position) < jeep.REACH else ""
-
-
-func _argument(key: String, otherwise: String) -> String:
-	var arguments := OS.get_cmdline_user_args()
-	var at := arguments.find(key)
-	return arguments[at + 1] if at >= 0 and at + 1 < arguments.size() else otherwise

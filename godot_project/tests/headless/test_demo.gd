@@ -10,6 +10,8 @@ var field: GrassField
 
 func open(p_name: String) -> void:
 	place = (load(Demo % p_name) as PackedScene).instantiate()
+	if "size" in place:
+		place.size = "small"
 	add_child(place)
 	field = place.get_node("Field")
 	await ticks(2)
@@ -17,6 +19,35 @@ func open(p_name: String) -> void:
 
 func after() -> void:
 	if is_instance_valid(place):
+		place.free()
+
+
+func test_bodies() -> void:
+	await open("demo")
+	await ticks(60)
+	assert_greater(field.get_awake_tile_count(), 10, "bodies fly through the grass")
+
+
+func test_levels() -> void:
+	await open("levels")
+	await ticks(60)
+	for each: String in ["Field", "Bridge"]:
+		assert_greater(place.get_node(each).get_awake_tile_count(), 5, each)
+
+
+## Nothing ends at the border of a field: the grass goes on, as high as the field's ground.
+func test_the_landscape_goes_on() -> void:
+	for name: String in ["forces", "burning", "levels", "meadow", "lawn", "reeds"]:
+		await open(name)
+		var half := 0.5 * field.size.x
+		var terrain: Node3D = place.get_node_or_null("Terrain")
+		for along: float in [-0.8, 0.0, 0.8]:
+			for beside: Vector3 in [Vector3(half + 1.0, 0, along * half), Vector3(-half - 1.0, 0, along * half)]:
+				var ground: float = terrain.height_at(clampf(beside.x, -half, half), beside.z) if terrain else 0.0
+				assert_true(place.landscape.country.field_at(beside) != null, "%s: grass at %s" % [name, beside])
+				assert_near(place.landscape.hills.height_at(beside), ground, 0.5, "%s: the ground at %s" % [name, beside])
+		if field.species:
+			assert_eq(place.landscape.country.fields[0].species[0].tip_color, field.species[0].tip_color, "%s: of one kind" % name)
 		place.free()
 
 
