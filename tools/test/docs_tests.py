@@ -129,6 +129,14 @@ def wrong_guide():
 	return "; ".join(wrong)
 
 
+def wrong_navigation():
+	"""Pages that the site's navigation does not name: the site itself is not built by tests."""
+	docs = ROOT / "docs"
+	named = (ROOT / "tools/pages/site/mkdocs.yml").read_text().partition("\nnav:\n")[2]
+	pages = [page.relative_to(docs) for page in sorted(docs.rglob("*.md"))]
+	return ", ".join(str(page) for page in pages if str(page) not in named and f"{page.parent}/*" not in named)
+
+
 def wrong_benchmarks():
 	"""Pages of figures that differ from the set's tables, tables that no page names, and tables that a page shows without their commit."""
 	tables = bench_tables.Tables()
@@ -194,6 +202,7 @@ CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
 	"docs/decisions": wrong_decisions,
 	"docs/guide has no equation": wrong_guide,
+	"docs/navigation of the site": wrong_navigation,
 	"docs/benchmarks": wrong_benchmarks,
 	"docs/costs": cost_table.wrong,
 	"docs/drivers": drivers_page.wrong,
