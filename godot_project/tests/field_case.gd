@@ -6,6 +6,7 @@ const BLADES := 64  # of a tile
 const KNOTS := 16  # of a blade
 const PAUSE_MOST := 100  # milliseconds
 const CLAMPED := 2  # knots at the root that never move
+const LATE := 3  # frames from the tick whose step is the first to the frame in which `steps` counts it, at most
 
 
 ## A GrassField in the tree, `properties` set before it enters. By default it is named Meadow, 4 m wide, without wind, and as dense at its
@@ -23,7 +24,7 @@ func add_field(properties := {}) -> GrassField:
 
 
 ## Waits until the driver has compiled all passes of fields, so that tests may count ticks: until then grass does not bend. Returns data of
-## the first field of the process: ticks and blades until its pass was ready, and after.
+## the first field of the process: in the last tick that was certainly before its pass was ready, if there is one, and the steps after.
 static func warm_up(to: Node) -> Dictionary:
 	var first_field := {}
 	var field := GrassField.new()
@@ -38,15 +39,23 @@ static func warm_up(to: Node) -> Dictionary:
 	var entered := []
 	field.body_entered_grass.connect(entered.append)
 	var ticks := 0
+	var standing: Array[Dictionary] = []  # a tick each, without a step so far
 	var deadline := Time.get_ticks_msec() + PATIENCE * 1000
 	while ticks < 5 or field.get_counters().steps == 0 and Time.get_ticks_msec() < deadline:
 		await to.get_tree().physics_frame
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
-		if field.get_statistics().compiling > 3:  # those of free tiles, of edges and of gathered knots come last
-			first_field = {
-				ticks = ticks, steps = field.get_counters().steps, awake = field.get_awake_tile_count(), entered = entered.size()
-			}
+		var counters := field.get_counters()
+		if counters.steps == 0:
+			standing.append(
+				{ticks = ticks, tile_steps = counters.tile_steps, awake = field.get_awake_tile_count(), entered = entered.size()}
+			)
+			standing[-1].frame = Engine.get_frames_drawn()
+		elif not first_field:
+			first_field = {stepped = Engine.get_frames_drawn()}
+	for tick in standing:
+		if tick.frame < first_field.get("stepped", 0) - LATE:
+			first_field.merge(tick, true)
 	first_field.steps_after = field.get_counters().steps
 	field.species = [GrassSpecies.new(), GrassSpecies.new()]
 	var began := Time.get_ticks_msec()
