@@ -8,6 +8,7 @@
 #include "draw/shared_shader.h"
 #include "editor/grass_editor_plugin.h"
 #include "editor/kept_plots_dialog.h"
+#include "editor/species_preview.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_field.h"

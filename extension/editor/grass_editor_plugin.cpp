@@ -5,6 +5,7 @@
 #include "editor/fill_action.h"
 #include "editor/kept_plots_dialog.h"
 #include "editor/save_worlds.h"
+#include "editor/species_preview.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
@@ -31,8 +32,9 @@ void GrassEditorPlugin::_enter_tree() {
 	_pictures.create(callable_mp(this, &GrassEditorPlugin::_picture_chosen));
 	_export_masks.instantiate();
 	add_export_plugin(_export_masks);
-	_species_preview.instantiate();
-	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(_species_preview);
+	// Never removed: the editor's thread walks its list of generators without a lock, and ends only after this plugin has left the tree.
+	// The list lets go of them where the editor's nodes are freed, before it unloads libraries.
+	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(Ref<SpeciesPreview>(memnew(SpeciesPreview)));
 	_size_handles.instantiate();
 	_size_handles->create_materials();
 	add_node_3d_gizmo_plugin(_size_handles);
@@ -56,8 +58,6 @@ void GrassEditorPlugin::_exit_tree() {
 	_pictures.free();
 	remove_export_plugin(_export_masks);
 	_export_masks.unref();
-	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
-	_species_preview.unref();
 	remove_node_3d_gizmo_plugin(_size_handles);
 	_size_handles.unref();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);

@@ -13,7 +13,6 @@
 #include "editor/picture_dialog.h"
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
-#include "editor/species_preview.h"
 #include "editor/view_drop.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -81,7 +80,6 @@ private:
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<GrassExportPlugin> _export_plugin;
 	godot::Ref<ExportMasks> _export_masks;
-	godot::Ref<SpeciesPreview> _species_preview;
 	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _selected_id = 0; // of the selected field or world; 0: none
 	PaintStroke _stroke;
