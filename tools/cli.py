@@ -25,6 +25,8 @@ def dispatch(options):
 		from tools.pages import gallery
 
 		gallery.write_page(options.page) if options.page else gallery.render(options.out, options.only)
+	elif options.command == "pictures":
+		pictures(options)
 	elif options.command == "bench":
 		return bench(options)
 	elif options.command == "editor":
@@ -65,6 +67,17 @@ def dispatch(options):
 			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
 		return 0 if testing.run(tuple(options.layers) or testing.ALL, options.only, options.gpu) else 1
 	return 0
+
+
+def pictures(options):
+	from tools.pages import pictures
+
+	if options.pack:
+		pictures.pack(options.pack)
+	elif options.put:
+		pictures.put(options.put, options.only)
+	else:
+		pictures.record(options.out, options.only)
 
 
 def bench(options):

@@ -6,8 +6,9 @@ import argparse
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets, pairs) and prints where its pictures are
+  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, levels, walk, presets, pairs) and prints where its pictures are
   ./grass gallery  renders the same grass in many lights
+  ./grass pictures records all pictures of the docs that a GPU draws
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass format   formats every source
@@ -54,6 +55,12 @@ def parser():
 	gallery.add_argument("--out", default=None, metavar="DIR", help="folder for the pictures (default: out/gallery)")
 	gallery.add_argument("--only", default="", metavar="VIEW", help="only this view")
 	gallery.add_argument("--page", metavar="DIR", help="instead, make the page of the docs from the pictures in DIR")
+
+	pictures = commands.add_parser("pictures", help="record the pictures of the docs, into out/pictures")
+	pictures.add_argument("--out", default=None, metavar="DIR", help="folder for the recordings (default: out/pictures)")
+	pictures.add_argument("--only", default="", metavar="NAME,...", help="only these; tools/pages/pictures.py lists them")
+	pictures.add_argument("--pack", metavar="DIR", help="instead, put everything into DIR that another machine's GPU needs to record them")
+	pictures.add_argument("--put", metavar="DIR", help="instead, make docs/images of what was recorded in DIR")
 
 	test = commands.add_parser("test", help="build and run the tests")
 	test.add_argument(

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 ## A place with grass in which something happens. Started with `-- --out DIR` (`./grass demo NAME`) it takes the picture of each of its
 ## cameras, in their order, at the second that follows "at_" in the camera's name, then ends. Otherwise it runs until it is closed, seen
-## through the first camera; the keys 1 to 9 change the camera. `--size small` makes less of the landscape around it: for software rendering.
+## through the first camera; the keys 1 to 9 change the camera. `--size small` makes less of the landscape around it: for software
+## rendering.
 extends Node3D
 
 const Landscape := preload("res://demo/landscape.gd")
@@ -13,6 +14,8 @@ const Shots := preload("res://demo/shots.gd")
 
 var time := 0.0  # seconds, in physics ticks
 var landscape := Landscape.new()
+
+var _is_waiting := false
 
 @onready var field: GrassField = $Field
 @onready var cameras: Array[Node] = $Cameras.get_children()
@@ -32,8 +35,9 @@ func _ready() -> void:
 
 
 func _physics_process(delta: float) -> void:
-	time += delta
-	happen(delta)
+	if not _is_waiting:
+		time += delta
+		happen(delta)
 
 
 ## Moves the place on by a tick of `_delta` seconds.
@@ -51,7 +55,9 @@ func record(folder: String) -> void:
 	if software:  # one cascade instead of four: a frame takes seconds
 		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
 	var shots := Shots.new(get_viewport(), folder)
+	_wait(true)
 	await shots.warm_up()
+	_wait(false)
 	for camera: Camera3D in cameras:
 		while time < camera.name.get_slice("at_", 1).to_float():
 			await get_tree().physics_frame
@@ -63,6 +69,12 @@ func record(folder: String) -> void:
 				% [camera.name, field.get_blade_count(), field.get_awake_tile_count(), field.get_statistics().drawn_triangles, tell()]
 			)
 		)
+
+
+## Lets nothing happen, however long the driver compiles.
+func _wait(is_waiting: bool) -> void:
+	_is_waiting = is_waiting
+	PhysicsServer3D.set_active(not is_waiting)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:

@@ -46,7 +46,7 @@ def write_page(folder):
 	lines = ["# Gallery", "", *textwrap.wrap(HEAD.format(device=device), 100), ""]
 	for view in about["views"]:
 		for kind in KINDS:
-			shrink(folder / f"{view['name']}_{kind}.jpg", PICTURES / f"{view['name']}_{kind}.jpg")
+			shrink(folder / f"{view['name']}_{kind}.jpg", PICTURES / f"{view['name']}_{kind}.jpg", WIDTH, QUALITY)
 		lines += section(view)
 	PAGE.write_text("\n".join(lines))
 	say(f"Written: {PAGE.relative_to(ROOT)} and {PICTURES.relative_to(ROOT)}")
@@ -70,9 +70,9 @@ def facts(view):
 	return [f"- {fact[0].upper()}{fact[1:]}" for fact in view["settings"]]
 
 
-def shrink(source, target):
+def shrink(source, target, width, quality):
 	command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", "-i", str(source)]
-	scale = ["-vf", f"scale={WIDTH}:-2:flags=lanczos", "-q:v", str(QUALITY)]
+	scale = ["-vf", f"scale={width}:-2:flags=lanczos", "-q:v", str(quality)]
 	result = subprocess.run([*command, *scale, str(target)], capture_output=True, text=True)
 	if result.returncode:
 		raise Failure(f"ffmpeg could not make {target.name}:\n{result.stderr}")
