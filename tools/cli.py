@@ -71,9 +71,10 @@ def dispatch(options):
 
 def pictures(options):
 	from tools.pages import pictures
+	from tools.release import export
 
 	if options.pack:
-		pictures.pack(options.pack)
+		export.pictures(options.pack, pictures.listing())
 	elif options.put:
 		pictures.put(options.put, options.only)
 	else:

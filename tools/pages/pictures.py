@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pictures of the docs that a GPU draws: records them here, packs them for another machine, and writes docs/images.
+"""The pictures of the docs that a GPU draws: records them here, lists them for a pack, and writes docs/images.
 
 Each recording is a process of its own, which a place of the demo ends when its pictures are taken.
 """
@@ -7,19 +7,14 @@ Each recording is a process of its own, which a place of the demo ends when its 
 import os
 import pathlib
 import shutil
-import subprocess
-import tarfile
 
-from tools.build import build
 from tools.fetch import machine
 from tools.pages import film, gallery
-from tools.places import ADDON_BIN, OUT, PROJECT, ROOT
-from tools.release import export
+from tools.places import OUT, PROJECT, ROOT
 from tools.run import engine, scenes
 from tools.say import Failure, progress, say
 
 IMAGES = ROOT / "docs/images"
-SCRIPT = ROOT / "tools/pages/pictures.sh"
 RATE = ["--fixed-fps", str(film.RATE)]  # so that a slow frame shows what a quick one does
 SIZE = "1920x1080"
 SIZES = {"film": film.SIZE}  # of the others' windows
@@ -67,24 +62,9 @@ def record(out, only):
 	say(f"Recorded: {folder}. `./grass pictures --put {folder}` makes the pictures of the docs of it")
 
 
-def pack(out):
-	"""Exports what another machine's GPU needs: OUT/demo.pck, the library, the list of recordings, and pictures.sh, which takes them."""
-	folder = pathlib.Path(out).resolve()
-	build.scons("extension")
-	engine.import_project()
-	folder.mkdir(parents=True, exist_ok=True)
-	export.pack("--export-pack", export.PRESET, folder / "demo.pck", folder / "demo.pck")
-	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
-	for file in [*libraries, SCRIPT]:
-		shutil.copy(file, folder)
-	if strip := shutil.which("strip"):  # less to carry
-		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
-	lines = [" ".join([name, SIZES.get(name, SIZE), os.path.join(name, FRAMES.get(name, "")), *RATE]) for name in RECORDINGS]
-	(folder / "recordings").write_text("\n".join([*lines, ""]))
-	carried = folder.with_name(f"{folder.name}.tar.xz")
-	with tarfile.open(carried, "w:xz") as archive:
-		archive.add(folder, folder.name)
-	say(f"Packed: {folder}. To carry: {carried}, {carried.stat().st_size / 1e6:.1f} MB. There: pictures.sh RECORDED; here: --put RECORDED")
+def listing():
+	"""The lines of the pack's file `recordings`, which pictures.sh reads."""
+	return [" ".join([name, SIZES.get(name, SIZE), os.path.join(name, FRAMES.get(name, "")), *RATE]) for name in RECORDINGS]
 
 
 def put(recorded, only):

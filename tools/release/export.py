@@ -17,6 +17,7 @@ PRESET = "Linux"  # in godot_project/export_presets.cfg
 TESTS_PRESET = "Tests"  # the same, but that res://tests/runner.tscn is the main scene
 BENCH_PRESET = "Benchmark"  # the same, but that res://bench/bench.tscn is the main scene
 ALL_PARTS = ROOT / "tools/bench/all.sh"
+RECORD_ALL = ROOT / "tools/pages/pictures.sh"
 NAME = "grass_field"
 KINDS = ("debug", "release")
 
@@ -68,16 +69,41 @@ def benchmark(out, times):
 	engine.import_project()
 	folder.mkdir(parents=True, exist_ok=True)
 	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
-	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
-	for file in [*libraries, *(BUILD / "bench").glob("simulate_*.spv"), ALL_PARTS]:
-		shutil.copy(file, folder)
-	if strip := shutil.which("strip"):  # less to carry
-		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
+	add(folder, [*(BUILD / "bench").glob("simulate_*.spv"), ALL_PARTS])
 	accuracy.record(folder / "packs", False)
 	(folder / "commit").write_text(commits.measured() + "\n")
 	(folder / "parts").write_text("\n".join([*parts.listing(times), ""]))
+	say(f"Packed, commit {commits.measured()}:")
+	carry(folder)
+	say("docs/benchmarks/HOWTO.md describes how to run it: all.sh SECONDS OUT")
+
+
+def pictures(out, recordings):
+	"""Exports everything that another machine's GPU needs for the pictures of the docs: OUT/demo.pck, the library, the list `recordings`,
+	and pictures.sh, which takes them."""
+	folder = pathlib.Path(out).resolve()
+	build.scons("extension")
+	engine.import_project()
+	folder.mkdir(parents=True, exist_ok=True)
+	pack("--export-pack", PRESET, folder / "demo.pck", folder / "demo.pck")
+	add(folder, [RECORD_ALL])
+	(folder / "recordings").write_text("\n".join([*recordings, ""]))
+	carry(folder)
+	say("There: pictures.sh RECORDED, and then here: ./grass pictures --put RECORDED")
+
+
+def add(folder, files):
+	"""Copies the library and `files` into a pack."""
+	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
+	for file in [*libraries, *files]:
+		shutil.copy(file, folder)
+	if strip := shutil.which("strip"):  # less to carry
+		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
+
+
+def carry(folder):
 	carried = folder.with_name(f"{folder.name}.tar.xz")
 	with tarfile.open(carried, "w:xz") as archive:
 		archive.add(folder, folder.name)
-	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}, commit {commits.measured()}")
-	say(f"To carry: {carried}, {carried.stat().st_size / 1e6:.1f} MB. docs/benchmarks/HOWTO.md describes how to run it: all.sh SECONDS OUT")
+	say(f"{', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}")
+	say(f"To carry: {carried}, {carried.stat().st_size / 1e6:.1f} MB")
