@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from tools.places import ROOT
 
 # step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework. elastic_blade: its names
-# are other tests' as well.
-ALONE = ("step_lanes", "main", "elastic_blade")
+# are other tests' as well. chain_32: it compiles its includes for another number of knots.
+ALONE = ("step_lanes", "main", "elastic_blade", "chain_32")
 STEPS = ("step_lanes", "step_scalar")  # objects that the tests of the core share with the library
 CORE = "extension/core/"
 CORE_NAMES = ("extension_core_", "core")  # of the sources that include some of it: by_folder()'s, across_folders()'s
