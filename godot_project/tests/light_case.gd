@@ -66,7 +66,7 @@ func references(field: GrassField, distance: float) -> Dictionary[String, float]
 	camera.far = 1.3 * distance + 2.0
 	camera.fov = maxf(rad_to_deg(2.0 * atan(0.5 * WINDOW / distance)), 1.0)
 	look(Vector3(0, EYE, HALF - 2.0), Vector3(0, 0.25, HALF - 2.0 - distance))
-	await picture()
+	await ready_for_picture()
 	var lights: Dictionary[String, float] = {}
 	for light: String in LIGHTS:
 		set_light(light)

@@ -52,6 +52,28 @@ func look(from: Vector3, at: Vector3) -> void:
 	camera.look_at_from_position(from, at, Vector3.UP if absf((at - from).normalized().y) < 0.99 else Vector3.FORWARD)
 
 
+## Waits while the view is not drawn, since nobody looks at these frames; fields see its camera all the same. It is drawn as soon as
+## something shows it, which nothing does. Tests of motion vectors need each frame: what moves is compared with the one before.
+func unseen(wait: Callable) -> void:
+	var view := viewport
+	var is_drawn := view and view.render_target_update_mode == SubViewport.UPDATE_ALWAYS
+	if is_drawn and not get_script().get_script_constant_map().has("MOTION_VECTORS"):
+		view.render_target_update_mode = SubViewport.UPDATE_WHEN_VISIBLE
+	await wait.call()
+	if is_drawn and is_instance_valid(view):
+		view.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+
+
+func ticks(count: int) -> void:
+	await unseen(func() -> void: await super.ticks(count))
+
+
+func wait_for_threads(condition: Callable, what: String, by_ticks := false) -> bool:
+	var there := [false]
+	await unseen(func() -> void: there[0] = await super.wait_for_threads(condition, what, by_ticks))
+	return there[0]
+
+
 ## Frames until all fields are shown as they are wanted: worker threads make shaders that no test before needed.
 func fields_shown() -> void:
 	var fields := viewport.find_children("*", "GrassField", true, false)
@@ -61,16 +83,24 @@ func fields_shown() -> void:
 
 ## Frames until what was drawn is known: the GPU's counts come about two frames late. Who only wants a picture needs not wait for it.
 func drawn() -> void:
+	await unseen(func() -> void: await frames_shown(4))
+	await frames(1)
+
+
+func frames_shown(more: int) -> void:
 	await frames(1)
 	await fields_shown()
-	await frames(5)
+	await frames(more)
+
+
+## Frames until the next picture shows everything as it is now.
+func ready_for_picture() -> void:
+	await unseen(func() -> void: await frames_shown(2))
 
 
 ## The viewport's picture as it is now.
 func picture() -> Image:
-	await frames(1)
-	await fields_shown()
-	await frames(2)
+	await ready_for_picture()
 	return await next_picture()
 
 

@@ -38,16 +38,16 @@ func change(a: Image, b: Image) -> Vector2:
 	return Vector2(sum / (SIZE.x * SIZE.y), most / (BLOCK * BLOCK)) / (3.0 * 255.0)
 
 
-## Changes from frame to frame of a flight over `field`. `at_half` is called in the middle of it.
+## Changes from frame to frame of a flight over the field, or of the two steps in the middle of it. `at_half` is called there.
 func fly(at_half := Callable()) -> PackedVector2Array:
 	var changes := PackedVector2Array()
 	var last: Image = null
-	for i in STEPS + 1:
+	for i in range(STEPS / 2 - 1, STEPS / 2 + 2) if at_half.is_valid() else range(STEPS + 1):
 		look(Vector3(0.3, 0.9, 4.4 - STEP * i), Vector3(0.2, 0.0, 1.2 - STEP * i))
 		if i == STEPS / 2 and at_half.is_valid():
 			at_half.call()
-		if i == 0:
-			await frames(3)
+		if not last:
+			await ready_for_picture()
 		var now := await next_picture()
 		if last:
 			changes.append(change(last, now))
