@@ -20,7 +20,7 @@ namespace {
 #if defined(GRASS_IS_SANITIZED)
 const int ROUNDS = 150;
 #else
-const int ROUNDS = sampled(500);
+const int ROUNDS = sampled(200);
 #endif
 
 void put_checksum(MapBytes &r_bytes, size_t p_at, size_t p_begin, size_t p_count) {
