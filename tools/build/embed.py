@@ -53,6 +53,7 @@ def compile_shader(source, folders, command, made, *defines, target="vulkan1.1")
 	"""Compute pass -> list of SPIR-V words, also in the file `made`. Raises RuntimeError with the compiler's own words."""
 	arguments = [
 		"-V",
+		"-g0",  # names, which no driver reads, are a sixth of a pass
 		"--target-env",
 		target,
 		"-S",
