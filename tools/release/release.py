@@ -155,6 +155,19 @@ def write_zip(path, files):
 	return path
 
 
+def sizes(path):
+	"""Rows of a table: bytes, unpacked and in the zip, of each library in the add-on's zip and of each folder beside them."""
+	sums = {}
+	with zipfile.ZipFile(path) as file:
+		for entry in file.infolist():
+			first, *rest = entry.filename.split("/")[2:]
+			name = rest[0] if first == "bin" else f"{first}/" if rest else "other files"
+			unpacked, packed = sums.get(name, (0, 0))
+			sums[name] = unpacked + entry.file_size, packed + entry.compress_size
+	rows = sorted(sums.items(), key=lambda row: -row[1][1])
+	return ["| what | bytes | in the zip |", "|---|---|---|", *(f"| `{name}` | {a:,} | {b:,} |" for name, (a, b) in rows)]
+
+
 def pack(sources, folder):
 	"""Packs the libraries (target -> path of the file with symbols) into `folder`. Returns the paths of the zips."""
 	folder.mkdir(parents=True, exist_ok=True)
@@ -173,7 +186,7 @@ def pack(sources, folder):
 	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(zips))
 	(folder / "SHA256SUMS").write_text("".join(sums))
 	if (size := zips[0].stat().st_size) > SIZE_MOST:
-		raise Failure(f"{name} has {size} bytes, {SIZE_MOST} at most: `unzip -v` says what is large.")
+		raise Failure("\n".join((f"{name} has {size:,} bytes, {SIZE_MOST:,} at most:", *sizes(zips[0]))))
 	return zips
 
 
@@ -208,7 +221,9 @@ def make(only="", out=None):
 	libraries = build_libraries(targets)
 	for target, library in libraries.items():
 		check_glibc(target, library)
-	for path in pack(libraries, folder):
+	zips = pack(libraries, folder)
+	say("\n".join(sizes(zips[0])))
+	for path in zips:
 		say(f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}")
 	say(f"Packed, with SHA256SUMS: {folder}")
 

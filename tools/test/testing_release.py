@@ -79,7 +79,8 @@ def only_the_addon(sources):
 	for name in ("LICENSE", "README.md", "grass_field.gdextension", "grass_field.gdextension.uid"):
 		check(f"{PLACE}/{name}" in files, f"{name} is missing")
 	most = min(MOST_ALONE * sum(2 if target.arch == "universal" else 1 for target in sources), release.SIZE_MOST)
-	check(path.stat().st_size <= most, f"{path.stat().st_size} bytes with {len(sources)} libraries, at most {most}")
+	rows = "\n".join(release.sizes(path))
+	check(path.stat().st_size <= most, f"{path.stat().st_size:,} bytes with {len(sources)} libraries, at most {most:,}:\n{rows}")
 
 
 def extension_names_what_is_there(sources):
