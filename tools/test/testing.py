@@ -153,7 +153,7 @@ LAYERS = {
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
 	"double": Layer(lambda only, _: testing_platforms.run_layer("double", only), in_all=False),
 	"macos": Layer(lambda only, _: testing_macos.run_layer(only), None, in_all=False),
-	"release": Layer(lambda only, _: testing_release.run_layer("release", only), in_all=False),
+	"release": Layer(lambda only, _: testing_release.run_layer("release", only), None, in_all=False),
 }
 ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 

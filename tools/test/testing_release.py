@@ -188,12 +188,21 @@ def bends(said, renderer):
 
 def runs_headless(_sources):
 	command, environment = engine.headless()
-	bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "no GPU")
+	bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "headless")
 
 
-def runs_on_software_vulkan(_sources):
-	with engine.window(size="320x180", software=True) as (command, environment):
-		bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "forward_plus")
+def runs_with(renderer):
+	def action(_sources):
+		with engine.window(renderer, "320x180", software=True) as (command, environment):
+			bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), renderer)
+
+	return action
+
+
+def demo_runs(_sources):
+	command, environment = engine.headless()
+	small = ("--size", 8, "--bodies", 8)
+	run_engine(command, environment, "--path", WORK / "project_demo-", "--fixed-fps", 60, "--quit-after", 120, "--", *small)
 
 
 def fit(game):
@@ -215,7 +224,7 @@ def export_runs(kind, preset="Linux"):
 		run_engine(*engine.headless(), "--path", WORK / "project_", f"--export-{kind}", preset, out / "game")
 		check(list(out.glob("libgrass_field.*")), f"the library is not in {sorted(path.name for path in out.iterdir())}")
 		fit(out / "game")
-		bends(run_engine([out / "game", "--headless"], {}, "--fixed-fps", 60), "no GPU")
+		bends(run_engine([out / "game", "--headless"], {}, "--fixed-fps", 60), "headless")
 
 	return action
 
@@ -257,7 +266,10 @@ PACKING = {
 }
 BY_NAME = {
 	"the editor opens the demo": editor_opens("demo-"),
-	"a scene runs on software Vulkan": runs_on_software_vulkan,
+	"the demo runs headless": demo_runs,
+	"a scene runs on software Vulkan, Forward+": runs_with("forward_plus"),
+	"a scene runs on software Vulkan, Mobile": runs_with("mobile"),
+	"a scene runs on software OpenGL, Compatibility": runs_with("gl_compatibility"),
 	"an export runs, debug": export_runs("debug"),
 	"an export runs, release": export_runs("release"),
 	"an export of selected scenes runs": export_runs("release", "Scenes"),

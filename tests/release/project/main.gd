@@ -21,7 +21,9 @@ func _ready() -> void:
 		tick += 1
 		_ball.position = Vector3(0.1 * sin(0.1 * tick), 0.2, 0)
 		bent = _farthest(rest, _meadow.get_tile_knots(tile))
-	var renderer := RenderingServer.get_current_rendering_method() if RenderingServer.get_rendering_device() else "no GPU"
+	var renderer := DisplayServer.get_name()
+	if renderer != "headless":
+		renderer = RenderingServer.get_current_rendering_method()
 	print(
 		(
 			"GrassField %s, %s: %d blades, the ball bends them by %.3f m"
