@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
-## The pictures in docs/guide/painting.md: toolbar, ring and strokes on a meadow that rises; the preview of the brush; the answer to why
-## there is no grass. They are saved beside the test's copy of the project as painting.png, preview.png and why.png. The test checks what
-## numbers can check.
+## Pictures of the guide: a field and its properties; toolbar, ring and strokes on a meadow that rises; the preview of the brush; the answer
+## to why there is no grass. They are saved beside the test's copy of the project as editor.png, painting.png, preview.png and why.png. The
+## test checks what numbers can check.
 @tool
 extends "res://tests/editor/editor_case.gd"
 
-const DRAWN := ["test_toolbar_ring_and_strokes", "test_the_grass_before_the_stroke", "test_the_answer_beside_the_cursor"]  # see runner.gd
+const DRAWN := [
+	"test_a_field_and_its_properties",
+	"test_toolbar_ring_and_strokes",
+	"test_the_grass_before_the_stroke",
+	"test_the_answer_beside_the_cursor"
+]  # see runner.gd
 const SIDE := 24  # metres
 
 
@@ -60,7 +65,15 @@ func meadow() -> PackedScene:
 	field.density = 16.0  # while it is painted
 	field.position = Vector3(0, 0, -4)
 	root.add_child(field)
-	for child: Node in [terrain, body, node, field]:
+	var world := WorldEnvironment.new()
+	world.name = "World"
+	world.environment = load("res://demo/day.tres")
+	root.add_child(world)
+	var sun := DirectionalLight3D.new()
+	sun.name = "Sun"
+	sun.rotation_degrees = Vector3(-40, -50, 0)
+	root.add_child(sun)
+	for child: Node in [terrain, body, node, field, world, sun]:
 		child.owner = root
 	var scene := PackedScene.new()
 	scene.pack(root)
@@ -70,6 +83,18 @@ func meadow() -> PackedScene:
 
 func on(x: float, z: float) -> Vector3:
 	return Vector3(x, height(x, z), z)
+
+
+func test_a_field_and_its_properties() -> void:
+	await click(toolbar.get_node("Bake"))
+	await move(at(on(0, 0)))
+	var sections := EditorInterface.get_inspector().find_children("*", "EditorInspectorSection", true, false)
+	assert_greater(sections.size(), 1)
+	sections[0].unfold()
+	field.density = 256.0
+	await worked()
+	await shoot("editor")
+	sections[0].fold()
 
 
 func test_toolbar_ring_and_strokes() -> void:
