@@ -36,6 +36,8 @@ func surround(p_field: GrassField, p_terrain: Hills.Terrain, is_small: bool) -> 
 	country.species = p_field.species
 	if not country.species:
 		country.species = [GrassSpecies.new()]
+	country.soil_color = p_field.soil_color
+	country.root_shade = p_field.root_shade
 	p_field.border_fade = 0.0
 	hills.terrain = p_terrain
 	make(p_field.size.x, 0.0 if p_terrain else p_field.size.x, is_small)

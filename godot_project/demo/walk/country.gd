@@ -20,6 +20,8 @@ const MESHES_TO := 15.0  # metres; up to 30 m they would cost as much as all the
 var field: GrassField  ## the one in the middle
 var fields: Array[GrassField] = []  ## all of them
 var species: Array[GrassSpecies] = []  ## of all fields, in place of SPECIES
+var soil_color := SOIL
+var root_shade := 0.65
 
 
 func make(near: float, hills: Hills) -> void:
@@ -67,8 +69,8 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 	made.position = Vector3(rect.get_center().x, 0.0, rect.get_center().y)
 	made.density = density
 	made.border_fade = 0.0  # the next field begins there
-	made.soil_color = SOIL
-	made.root_shade = 0.65
+	made.soil_color = soil_color
+	made.root_shade = root_shade
 	made.wheel_wear = 3.0
 	made.map = GrassMap.new()
 	made.map.base_density = 1.0
