@@ -51,12 +51,13 @@ def write(folder, cpu, gpu_folder, is_quick):
 		rows += [row for row in old if row["precision"] == "GPU"]
 	if gpu_folder:
 		gpu = read_gpu(gpu_folder, is_quick)
-		rows = [row for row in rows if row["precision"].startswith("CPU")]
+		rows = [row for row in rows if row["precision"] == "reference" or row["precision"].startswith("CPU")]
 		compare(rows, gpu)
 		if gpu and all(row["precision"] == "GPU" for row in gpu):  # times from software rendering say nothing about a GPU
 			notes = [note for note in notes if not note.startswith("GPU")] + [f"GPU: {device(gpu_folder)}"]
 			rows += gpu
 	write_table(table, notes, rows)
+	rows = [row for row in rows if row["precision"] != "reference"]
 	for error, title in ERRORS.items():
 		(folder / f"{error}.svg").write_text(plot(title, error in CONTACT, [row for row in rows if row["error"] == error]))
 

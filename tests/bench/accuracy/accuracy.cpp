@@ -107,14 +107,33 @@ void print_rows(const char *p_precision, const Config &p_config, const Errors &p
 	std::fflush(stdout);
 }
 
-References solve_references() {
-	const Config converged{ Method::DIRECT, step_scalar_double, 8, 8 };
-	const Config fine{ Method::DIRECT, step_lanes, 32, 8 }, limit{ Method::DIRECT, step_lanes, 16, 8 }; // contact is of first order
-	return { transient(converged), sphere_sweep(fine), slow_pass(fine), fast_pass(fine), slow_ensemble(limit), fast_ensemble(limit) };
+// With twice as many steps a float's rounding shows in slow motion.
+constexpr int LIMIT = 128, QUICK_LIMIT = 16; // steps a frame
+
+// What errors are measured against. Strongly bent or touched, blades converge by the first order of the step or more slowly.
+References solve_references(int p_substeps) {
+	const Config free{ Method::DIRECT, step_scalar_double, p_substeps, 8 }, contact{ Method::DIRECT, step_lanes, p_substeps, 8 };
+	return { transient(free), sphere_sweep(contact), slow_pass(contact), fast_pass(contact), slow_ensemble(contact),
+		fast_ensemble(contact) };
+}
+
+// How far references with half as many steps are from these: about as far as these are from the limit.
+void print_reference_rows(const References &p_references) {
+	const References half = solve_references(LIMIT / 2);
+	print_rows("reference", { Method::DIRECT, step_lanes, LIMIT / 2, 8 },
+			{ { "transient", 0.0, difference(half.transient, p_references.transient) },
+					{ "sphere_sweep", 0.0, difference(half.sweep, p_references.sweep) },
+					{ "slow_pass", 0.0, difference(half.slow_pass, p_references.slow_pass) },
+					{ "fast_pass", 0.0, difference(half.fast_pass, p_references.fast_pass) },
+					{ "slow_ensemble", 0.0, difference(half.slow_ensemble, p_references.slow_ensemble).height },
+					{ "fast_ensemble", 0.0, difference(half.fast_ensemble, p_references.fast_ensemble).pressed } });
 }
 
 void measure_cpu(bool p_is_quick) {
-	const References references = solve_references();
+	const References references = solve_references(p_is_quick ? QUICK_LIMIT : LIMIT);
+	if (!p_is_quick) {
+		print_reference_rows(references);
+	}
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		measure_all(method, step_lanes, p_is_quick, references,
 				[](const Config &p_config, const Errors &p_errors) { print_rows("CPU float", p_config, p_errors); });
@@ -141,7 +160,7 @@ void record(const std::string &p_folder, bool p_is_quick) {
 }
 
 void play(const std::string &p_folder, bool p_is_quick) {
-	const References references = solve_references();
+	const References references = solve_references(p_is_quick ? QUICK_LIMIT : LIMIT);
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		Player player(file_of(p_folder, method, "result"));
 		tape = &player;
