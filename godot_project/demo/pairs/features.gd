@@ -14,6 +14,7 @@ const ALL := {
 	species = Species,
 	density = Density,
 	snow = Snow,
+	wet = Wet,
 }
 
 
@@ -195,19 +196,37 @@ class Density:
 		before = 40.0
 
 
-class Snow:
+## What the weather leaves on grass and soil.
+class Weather:
 	extends Pair
+	var snow := 0.0
+	var wetness := 0.0
+
+	func make(is_after: bool) -> void:
+		if is_after:
+			_cover(snow, wetness)
+
+	func undo() -> void:
+		_cover(0.0, 0.0)
+
+	func _cover(p_snow: float, p_wetness: float) -> void:
+		stage.hills.cover(p_snow, p_wetness)
+		for field: GrassField in stage.country.fields:
+			field.snow = p_snow
+			field.wetness = p_wetness
+
+
+class Snow:
+	extends Weather
 
 	func _init() -> void:
 		about = "Summer; snow"
+		snow = 0.8
 
-	func make(is_after: bool) -> void:
-		_cover(0.8 if is_after else 0.0)
 
-	func undo() -> void:
-		_cover(0.0)
+class Wet:
+	extends Weather
 
-	func _cover(snow: float) -> void:
-		stage.hills.cover(snow, 0.0)
-		for field: GrassField in stage.country.fields:
-			field.snow = snow
+	func _init() -> void:
+		about = "Dry; after rain"
+		wetness = 1.0

@@ -23,7 +23,7 @@ func after() -> void:
 func state() -> Array:
 	var field: GrassField = pairs.stage.country.field
 	var place: Vector3 = pairs.pair.on_ground(Vector3.ZERO)
-	var facts := [field.density, field.species.size(), field.snow, field.wind_speed]
+	var facts := [field.density, field.species.size(), field.snow, field.wetness, field.wind_speed]
 	facts.append(snappedf(field.get_density_at(place), 0.1))
 	facts.append(snappedf(field.get_height_at(place), 0.02))
 	var worn := 0.0
