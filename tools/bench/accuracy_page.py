@@ -36,7 +36,9 @@ def table(kind, notes, rows):
 		body.append([name, f"{substeps} × {iterations}", f"{ms:.0f}", *(f"{float(values[error]['value']):.2g}" for error in COLUMNS[kind])])
 	values = {row["error"]: row["value"] for row in pick(rows, precision="reference", knots=DEFAULT[1])}
 	if values:
-		body.append(["the reference itself", "", "", *(f"{float(values[error]):.2g}" if error in values else "" for error in COLUMNS[kind])])
+		body.append(
+			["the reference itself", "", "", *(f"{float(values[error]):.2g}" if error in values else "" for error in COLUMNS[kind])]
+		)
 	head = ["method, knots", "", "ms", *COLUMNS[kind].values()]
 	return [*grid(head, body), f"[accuracy.csv](accuracy/accuracy.csv): {'; '.join(notes)}.", ""]
 
