@@ -132,8 +132,8 @@ float swing(float p_rate, const Beside *p_body) {
 
 } // namespace
 
-TEST_CASE("METHOD_DIRECT: blades under a ball that passes off-centre go within 1.5 % L of the converged way at 1 m/s, 5 % at 5 m/s, by "
-		  "default") {
+TEST_CASE("METHOD_DIRECT: blades under a ball that passes off-centre go within 1.5 % L of the way at 1920 steps a second at 1 m/s, 5 % at "
+		  "5 m/s, by default") {
 	struct Pass {
 		float speed; // m/s
 		double seconds, most; // most: blade lengths
