@@ -15,7 +15,6 @@
 #include <godot_cpp/classes/option_button.hpp>
 #include <godot_cpp/classes/popup_panel.hpp>
 
-#include <array>
 #include <vector>
 
 namespace grass {

@@ -5,8 +5,6 @@
 #include <godot_cpp/classes/config_file.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
-#include <vector>
-
 namespace grass {
 
 inline constexpr char UNIVERSAL[] = "universal"; // the architecture on macOS that stands for both of its processors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/fill_action.h"
 
+#include "editor/field_stroke.h"
 #include "editor/map_step.h"
 #include "shared/editor_hooks.h"
 
@@ -19,13 +20,7 @@ void mark_edited(const Ref<Resource> &p_resource) {
 // A field without a map gets one with grass everywhere.
 void fill(GrassField &r_field) {
 	const bool is_new = r_field.get_map().is_null();
-	if (is_new) {
-		Ref<GrassMap> map;
-		map.instantiate();
-		map->set_base_density(1.0);
-		r_field.set_map(map);
-	}
-	const Ref<GrassMap> map = r_field.get_map();
+	const Ref<GrassMap> map = is_new ? add_map(&r_field, false) : r_field.get_map();
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
 	r_field.fill(r_field.get_fill_rule());
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();

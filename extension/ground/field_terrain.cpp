@@ -7,7 +7,6 @@
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace godot;

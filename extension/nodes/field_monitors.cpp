@@ -7,7 +7,6 @@
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include <algorithm>
 #include <utility>
 
 using namespace godot;

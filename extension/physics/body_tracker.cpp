@@ -8,7 +8,6 @@
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace godot;
 

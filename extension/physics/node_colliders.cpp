@@ -7,7 +7,6 @@
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/object.hpp>
 
-#include <algorithm>
 #include <utility>
 
 using namespace godot;

@@ -6,12 +6,10 @@
 #include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
 #include <algorithm>
-#include <set>
 
 using namespace godot;
 
@@ -19,9 +17,7 @@ namespace grass {
 
 namespace {
 
-// Nodes enter, leave and change on the main thread.
-std::set<GrassExclusion3D *> in_tree;
-uint64_t revision = 0;
+PicturedNodes exclusions;
 
 const Color COLOR(0.99f, 0.5f, 0.5f);
 // Metres from the shape's centre. For points farther away the engine never finishes making the hull.
@@ -39,17 +35,15 @@ bool is_drawable(const Ref<Shape3D> &p_shape) {
 } // namespace
 
 std::vector<GrassExclusion3D *> GrassExclusion3D::get_all() {
-	std::vector<GrassExclusion3D *> all(in_tree.begin(), in_tree.end());
-	std::sort(all.begin(), all.end(), [](const auto *p_a, const auto *p_b) { return p_a->get_instance_id() < p_b->get_instance_id(); });
-	return all;
+	return exclusions.get_all<GrassExclusion3D>();
 }
 
 uint64_t GrassExclusion3D::get_revision() {
-	return revision;
+	return exclusions.get_revision();
 }
 
 void GrassExclusion3D::changed() {
-	revision++;
+	exclusions.count_change();
 	update_picture();
 	update_configuration_warnings();
 }
@@ -103,24 +97,8 @@ PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
 }
 
 void GrassExclusion3D::_notification(int p_what) {
-	switch (p_what) {
-		case NOTIFICATION_ENTER_WORLD:
-			in_tree.insert(this);
-			set_notify_transform(true);
-			changed();
-			break;
-		case NOTIFICATION_EXIT_WORLD:
-			in_tree.erase(this);
-			revision++;
-			_picture.free();
-			break;
-		case NOTIFICATION_TRANSFORM_CHANGED:
-			revision++;
-			_picture.follow(*this);
-			break;
-		case NOTIFICATION_VISIBILITY_CHANGED:
-			_picture.follow(*this);
-			break;
+	if (exclusions.notify(*this, p_what, _picture)) {
+		changed();
 	}
 }
 
@@ -129,25 +107,17 @@ Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 	if (_shape.is_valid()) {
 		return is_drawable(_shape) ? _shape->get_debug_mesh() : Ref<ArrayMesh>();
 	}
-	Ref<ArrayMesh> mesh;
-	mesh.instantiate();
 	PackedVector3Array lines;
 	for (int64_t i = 0; i < _outline.size(); i++) {
 		for (const Vector2 &corner : { _outline[i], _outline[(i + 1) % _outline.size()] }) {
 			lines.push_back(Vector3(corner.x, 0, corner.y));
 		}
 	}
-	if (!lines.is_empty()) {
-		Array arrays;
-		arrays.resize(Mesh::ARRAY_MAX);
-		arrays[Mesh::ARRAY_VERTEX] = lines;
-		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_LINES, arrays);
-	}
-	return mesh;
+	return EditorPicture::mesh_of(lines);
 }
 
 void GrassExclusion3D::update_picture() {
-	if (in_tree.count(this) > 0) {
+	if (exclusions.has(this)) {
 		_picture.show(
 				*this, [this] { return make_picture(); }, COLOR);
 	}

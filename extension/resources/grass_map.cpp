@@ -4,6 +4,7 @@
 #include "core/map/map_changes.h"
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
+#include "shared/bind_property.h"
 #include "shared/convert.h"
 #include "shared/label.h"
 #include "shared/main_thread.h"
@@ -48,7 +49,14 @@ PaintMap GrassMap::copy() const {
 	return _map;
 }
 
-void GrassMap::tell(const std::vector<MapKey> &p_changed) {
+void GrassMap::tell(const std::vector<MapKey> &p_changed, bool p_has_base_changed) {
+	if (p_has_base_changed) {
+		constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
+		const Ref<GrassMap> keep(this);
+		emit_signal("chunks_changed", to_chunks(p_changed), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
+		emit_changed();
+		return;
+	}
 	Rect2 region;
 	for (const MapKey &key : p_changed) {
 		const Rect2 chunk(Vector2(key.x, key.z) * MAP_CHUNK_SIZE, Vector2(1, 1) * MAP_CHUNK_SIZE);
@@ -74,18 +82,11 @@ void GrassMap::tell(const BrushResult &p_result) {
 	tell(p_result.changed, Rect2(to_godot(p_result.min), to_godot(size)));
 }
 
-void GrassMap::tell_everywhere(const std::vector<MapKey> &p_changed) {
-	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
-	const Ref<GrassMap> keep(this);
-	emit_signal("chunks_changed", to_chunks(p_changed), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
-	emit_changed();
-}
-
 void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
 	const double density = checked(BASE_DENSITY, p_density, label()), before = get_base_density();
 	if (write([&] { _map.set_base_density(density); }) && get_base_density() != before) {
-		tell_everywhere(copy().get_keys());
+		tell(copy().get_keys(), true);
 	}
 }
 
@@ -190,24 +191,16 @@ bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 		return false;
 	}
 	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), String(applied.reason.c_str())));
-	if (applied.has_base_changed) {
-		tell_everywhere(applied.changed);
-	} else {
-		tell(applied.changed);
-	}
+	tell(applied.changed, applied.has_base_changed);
 	return true;
 }
 
 void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 	const std::vector<MapKey> changed = _map.compare(p_before);
-	if (changed.empty() && _map.get_base_density() == p_before.get_base_density()) {
-		return;
-	}
-	_replacements++;
-	if (_map.get_base_density() != p_before.get_base_density()) {
-		tell_everywhere(changed);
-	} else {
-		tell(changed);
+	const bool has_base_changed = _map.get_base_density() != p_before.get_base_density();
+	if (!changed.empty() || has_base_changed) {
+		_replacements++;
+		tell(changed, has_base_changed);
 	}
 }
 
@@ -220,7 +213,7 @@ void GrassMap::clear() {
 		_map.clear();
 	}
 	_replacements++;
-	tell(changed);
+	tell(changed, false);
 }
 
 TypedArray<Vector2i> GrassMap::get_chunks() const {
@@ -228,10 +221,6 @@ TypedArray<Vector2i> GrassMap::get_chunks() const {
 }
 
 void GrassMap::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_base_density", "value"), &GrassMap::set_base_density);
-	ClassDB::bind_method(D_METHOD("get_base_density"), &GrassMap::get_base_density);
-	ClassDB::bind_method(D_METHOD("set_data", "value"), &GrassMap::set_data);
-	ClassDB::bind_method(D_METHOD("get_data"), &GrassMap::get_data);
 	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
 	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
@@ -254,9 +243,11 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassMap::get_memory_usage);
 
 	// `data` contains it as well
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR), "set_base_density",
-			"get_base_density");
-	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_data", "get_data");
+	GRASS_BIND_PROPERTY(GrassMap, PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR),
+			set_base_density, get_base_density);
+	GRASS_BIND_PROPERTY(
+			GrassMap, PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), set_data, get_data);
+
 	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i"),
 			PropertyInfo(Variant::RECT2, "region", PROPERTY_HINT_NONE, "suffix:m")));
 

@@ -148,9 +148,8 @@ private:
 	void _report_unread(const godot::String &p_reason);
 	void tell(const BrushResult &p_result);
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
-	void tell(const std::vector<MapKey> &p_changed); // for whole chunks
+	void tell(const std::vector<MapKey> &p_changed, bool p_has_base_changed); // for whole chunks, or for everywhere
 	void tell_of_replacing(const PaintMap &p_before);
-	void tell_everywhere(const std::vector<MapKey> &p_changed); // for the base density too
 	godot::String label() const; // for messages
 
 	mutable std::mutex _lock; // guards _map and _unread

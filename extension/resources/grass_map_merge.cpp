@@ -34,11 +34,7 @@ Dictionary GrassMap::merge(const Ref<GrassMap> &p_base, const Ref<GrassMap> &p_t
 	report["texels"] = int64_t(merge.texels);
 	report["conflicts"] = conflicts;
 	report["base_density_conflict"] = merge.is_base_in_conflict;
-	if (merge.has_base_changed) {
-		tell_everywhere(merge.changed);
-	} else {
-		tell(merge.changed);
-	}
+	tell(merge.changed, merge.has_base_changed);
 	return report;
 }
 

@@ -8,7 +8,9 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <array>
 #include <mutex>
+#include <utility>
 
 using namespace godot;
 
@@ -16,34 +18,19 @@ namespace grass {
 
 namespace {
 
+// Of PARAM_LENGTH_MIN and those after it, up to the weights.
+constexpr std::array SIZES = { std::pair(&LENGTH_MIN, &PatchParams::length_min), std::pair(&LENGTH_MAX, &PatchParams::length_max),
+	std::pair(&WIDTH_MIN, &PatchParams::width_min), std::pair(&WIDTH_MAX, &PatchParams::width_max) };
+static_assert(SIZES.size() == size_t(GrassPatch::PARAM_WEIGHT_UPRIGHT));
+
 const Tunable &tunable_of(GrassPatch::Param p_param) {
-	switch (p_param) {
-		case GrassPatch::PARAM_LENGTH_MIN:
-			return LENGTH_MIN;
-		case GrassPatch::PARAM_LENGTH_MAX:
-			return LENGTH_MAX;
-		case GrassPatch::PARAM_WIDTH_MIN:
-			return WIDTH_MIN;
-		case GrassPatch::PARAM_WIDTH_MAX:
-			return WIDTH_MAX;
-		default:
-			return TYPE_WEIGHTS[size_t(p_param - GrassPatch::PARAM_WEIGHT_UPRIGHT)];
-	}
+	const size_t param = size_t(p_param);
+	return param < SIZES.size() ? *SIZES[param].first : TYPE_WEIGHTS[param - SIZES.size()];
 }
 
 double &value_of(PatchParams &p_params, GrassPatch::Param p_param) {
-	switch (p_param) {
-		case GrassPatch::PARAM_LENGTH_MIN:
-			return p_params.length_min;
-		case GrassPatch::PARAM_LENGTH_MAX:
-			return p_params.length_max;
-		case GrassPatch::PARAM_WIDTH_MIN:
-			return p_params.width_min;
-		case GrassPatch::PARAM_WIDTH_MAX:
-			return p_params.width_max;
-		default:
-			return p_params.weights[size_t(p_param - GrassPatch::PARAM_WEIGHT_UPRIGHT)];
-	}
+	const size_t param = size_t(p_param);
+	return param < SIZES.size() ? p_params.*SIZES[param].second : p_params.weights[param - SIZES.size()];
 }
 
 } // namespace

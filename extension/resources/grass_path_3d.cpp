@@ -4,11 +4,7 @@
 #include "shared/bind_property.h"
 #include "shared/params.h"
 
-#include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
-
-#include <algorithm>
-#include <set>
 
 using namespace godot;
 
@@ -16,9 +12,7 @@ namespace grass {
 
 namespace {
 
-// Nodes enter, leave and change on the main thread.
-std::set<GrassPath3D *> paths_in_tree;
-uint64_t path_revision = 0;
+PicturedNodes paths;
 
 // A piece of the curve between two of its points is halved up to this often, until it bends by less than this angle: a metre of a curve of
 // 10 m is off by some millimetres.
@@ -34,13 +28,11 @@ GrassPath3D::GrassPath3D() {
 }
 
 std::vector<GrassPath3D *> GrassPath3D::get_all() {
-	std::vector<GrassPath3D *> all(paths_in_tree.begin(), paths_in_tree.end());
-	std::ranges::sort(all, {}, [](const GrassPath3D *p_path) { return p_path->get_instance_id(); });
-	return all;
+	return paths.get_all<GrassPath3D>();
 }
 
 uint64_t GrassPath3D::get_revision() {
-	return path_revision;
+	return paths.get_revision();
 }
 
 PackedVector3Array GrassPath3D::get_points() const {
@@ -56,7 +48,7 @@ bool GrassPath3D::concerns(const Node *p_field) const {
 }
 
 void GrassPath3D::_changed() {
-	path_revision++;
+	paths.count_change();
 	update_picture();
 	update_configuration_warnings();
 }
@@ -102,24 +94,8 @@ PackedStringArray GrassPath3D::_get_configuration_warnings() const {
 }
 
 void GrassPath3D::_notification(int p_what) {
-	switch (p_what) {
-		case NOTIFICATION_ENTER_WORLD:
-			paths_in_tree.insert(this);
-			set_notify_transform(true);
-			_changed();
-			break;
-		case NOTIFICATION_EXIT_WORLD:
-			paths_in_tree.erase(this);
-			path_revision++;
-			_picture.free();
-			break;
-		case NOTIFICATION_TRANSFORM_CHANGED:
-			path_revision++;
-			_picture.follow(*this);
-			break;
-		case NOTIFICATION_VISIBILITY_CHANGED:
-			_picture.follow(*this);
-			break;
+	if (paths.notify(*this, p_what, _picture)) {
+		_changed();
 	}
 }
 
@@ -134,19 +110,11 @@ Ref<ArrayMesh> GrassPath3D::make_picture() const {
 			lines.push_back(end);
 		}
 	}
-	Ref<ArrayMesh> mesh;
-	mesh.instantiate();
-	if (!lines.is_empty()) {
-		Array arrays;
-		arrays.resize(Mesh::ARRAY_MAX);
-		arrays[Mesh::ARRAY_VERTEX] = lines;
-		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_LINES, arrays);
-	}
-	return mesh;
+	return EditorPicture::mesh_of(lines);
 }
 
 void GrassPath3D::update_picture() {
-	if (paths_in_tree.count(this) > 0) {
+	if (paths.has(this)) {
 		_picture.show(
 				*this, [this] { return make_picture(); }, _mode == MODE_PLANT ? PLANT_COLOR : CLEAR_COLOR);
 	}

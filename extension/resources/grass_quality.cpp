@@ -9,7 +9,6 @@
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/core/class_db.hpp>
-#include <godot_cpp/variant/dictionary.hpp>
 
 using namespace godot;
 
@@ -35,20 +34,6 @@ Current &current() {
 
 bool is_level(int64_t p_level) {
 	return p_level >= 0 && p_level <= GrassQuality::LEVEL_CUSTOM;
-}
-
-void add_setting(const char *p_path, const Variant &p_initial, PropertyHint p_hint, const char *p_hint_string) {
-	ProjectSettings *settings = ProjectSettings::get_singleton();
-	if (!settings->has_setting(p_path)) {
-		settings->set_setting(p_path, p_initial);
-	}
-	settings->set_initial_value(p_path, p_initial);
-	Dictionary info;
-	info["name"] = p_path;
-	info["type"] = p_initial.get_type();
-	info["hint"] = p_hint;
-	info["hint_string"] = p_hint_string;
-	settings->add_property_info(info);
 }
 
 // The editor shows grass as it was designed.
@@ -86,8 +71,8 @@ Current &known() {
 } // namespace
 
 void register_quality() {
-	add_setting(LEVEL_SETTING, int64_t(GrassQuality::LEVEL_HIGH), PROPERTY_HINT_ENUM, LEVEL_NAMES);
-	add_setting(CUSTOM_SETTING, String(), PROPERTY_HINT_FILE, "*.tres,*.res");
+	add_project_setting(LEVEL_SETTING, int64_t(GrassQuality::LEVEL_HIGH), PROPERTY_HINT_ENUM, LEVEL_NAMES);
+	add_project_setting(CUSTOM_SETTING, String(), PROPERTY_HINT_FILE, "*.tres,*.res");
 }
 
 void free_quality() {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "resources/size_limits.h"
 
+#include "shared/params.h"
+
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/object.hpp>
-#include <godot_cpp/variant/dictionary.hpp>
 
 #include <algorithm>
 
@@ -34,18 +35,9 @@ std::string hint_of(const Setting &p_setting) {
 } // namespace
 
 void register_size_limits() {
-	ProjectSettings *settings = ProjectSettings::get_singleton();
+	const String hint = vformat("%d,%d,1,or_greater,suffix:MB", LEAST, int64_t(16384));
 	for (const Setting &setting : { MAP, CHANGES }) {
-		if (!settings->has_setting(setting.path)) {
-			settings->set_setting(setting.path, setting.initial);
-		}
-		settings->set_initial_value(setting.path, setting.initial);
-		Dictionary info;
-		info["name"] = setting.path;
-		info["type"] = Variant::INT;
-		info["hint"] = PROPERTY_HINT_RANGE;
-		info["hint_string"] = vformat("%d,%d,1,or_greater,suffix:MB", LEAST, int64_t(16384));
-		settings->add_property_info(info);
+		add_project_setting(setting.path, setting.initial, PROPERTY_HINT_RANGE, hint);
 	}
 }
 

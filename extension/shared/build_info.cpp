@@ -7,7 +7,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
-#include <optional>
 #include <string>
 
 using namespace godot;

@@ -44,4 +44,38 @@ void EditorPicture::free() {
 	_material.unref();
 }
 
+Ref<ArrayMesh> EditorPicture::mesh_of(const PackedVector3Array &p_lines) {
+	Ref<ArrayMesh> mesh;
+	mesh.instantiate();
+	if (!p_lines.is_empty()) {
+		Array arrays;
+		arrays.resize(Mesh::ARRAY_MAX);
+		arrays[Mesh::ARRAY_VERTEX] = p_lines;
+		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_LINES, arrays);
+	}
+	return mesh;
+}
+
+bool PicturedNodes::notify(Node3D &p_node, int p_what, EditorPicture &r_picture) {
+	switch (p_what) {
+		case Node3D::NOTIFICATION_ENTER_WORLD:
+			_nodes.insert(&p_node);
+			p_node.set_notify_transform(true);
+			return true;
+		case Node3D::NOTIFICATION_EXIT_WORLD:
+			_nodes.erase(&p_node);
+			_revision++;
+			r_picture.free();
+			break;
+		case Node3D::NOTIFICATION_TRANSFORM_CHANGED:
+			_revision++;
+			r_picture.follow(p_node);
+			break;
+		case Node3D::NOTIFICATION_VISIBILITY_CHANGED:
+			r_picture.follow(p_node);
+			break;
+	}
+	return false;
+}
+
 } // namespace grass

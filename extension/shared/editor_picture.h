@@ -6,9 +6,14 @@
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/standard_material3d.hpp>
 #include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <set>
+#include <vector>
 
 namespace grass {
 
@@ -21,10 +26,37 @@ public:
 	void follow(const godot::Node3D &p_node); // follows its place and visibility
 	void free();
 
+	// Returns the mesh of lines between each pair of points.
+	static godot::Ref<godot::ArrayMesh> mesh_of(const godot::PackedVector3Array &p_lines);
+
 private:
 	godot::Ref<godot::ArrayMesh> _mesh;
 	godot::Ref<godot::StandardMaterial3D> _material; // of _mesh
 	godot::RID _instance; // of both
+};
+
+// The nodes of one class in the tree, each with its picture, and how often any of them changed. They enter, leave and change on the main
+// thread.
+class PicturedNodes {
+public:
+	// Must be called by their _notification(). Returns true if p_node entered the tree, so that it is to be drawn.
+	[[nodiscard]] bool notify(godot::Node3D &p_node, int p_what, EditorPicture &r_picture);
+	void count_change() { _revision++; }
+	uint64_t get_revision() const { return _revision; }
+	bool has(godot::Node3D *p_node) const { return _nodes.contains(p_node); }
+	// Returns them in the order of their creation.
+	template <typename T> std::vector<T *> get_all() const {
+		std::vector<T *> all;
+		for (godot::Node3D *node : _nodes) {
+			all.push_back(static_cast<T *>(node));
+		}
+		std::ranges::sort(all, {}, [](const T *p_node) { return p_node->get_instance_id(); });
+		return all;
+	}
+
+private:
+	std::set<godot::Node3D *> _nodes;
+	uint64_t _revision = 0;
 };
 
 } // namespace grass

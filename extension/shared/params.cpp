@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shared/params.h"
 
+#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 
 #include <algorithm>
 
@@ -54,6 +56,20 @@ void warn_if_reversed(const String &p_who, const Tunable &p_min, double p_least,
 		r_warnings.push_back(vformat(
 				"%s has `%s` above `%s`, so %s. Bring `%s` below `%s`.", p_who, p_min.name, p_max.name, p_so, p_min.name, p_max.name));
 	}
+}
+
+void add_project_setting(const char *p_path, const Variant &p_initial, PropertyHint p_hint, const String &p_hint_string) {
+	ProjectSettings *settings = ProjectSettings::get_singleton();
+	if (!settings->has_setting(p_path)) {
+		settings->set_setting(p_path, p_initial);
+	}
+	settings->set_initial_value(p_path, p_initial);
+	Dictionary info;
+	info["name"] = p_path;
+	info["type"] = p_initial.get_type();
+	info["hint"] = p_hint;
+	info["hint_string"] = p_hint_string;
+	settings->add_property_info(info);
 }
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns a Tunable of the core into a property: its hint, clamping and warning.
+// Turns a Tunable of the core into a property: its hint, clamping and warning. And adds settings of the project.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -27,5 +27,9 @@ int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int6
 // Adds a warning for p_who if a minimum is above its maximum. p_so: the consequence, for the message.
 void warn_if_reversed(const godot::String &p_who, const Tunable &p_min, double p_least, const Tunable &p_max, double p_most,
 		const char *p_so, godot::PackedStringArray &r_warnings);
+
+// Adds a setting to the project's, with its default value, unless the project has it.
+void add_project_setting(
+		const char *p_path, const godot::Variant &p_initial, godot::PropertyHint p_hint, const godot::String &p_hint_string);
 
 } // namespace grass

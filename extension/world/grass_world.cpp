@@ -13,8 +13,6 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include <cmath>
-
 using namespace godot;
 
 namespace grass {

@@ -4,7 +4,6 @@
 #include <godot_cpp/classes/file_access.hpp>
 
 #include <tuple>
-#include <utility>
 
 using namespace godot;
 
