@@ -272,23 +272,19 @@ BackendStatistics CpuBackend::get_statistics() {
 	return statistics;
 }
 
-int64_t CpuBackend::get_shared_memory() const {
-	return int64_t(_setup.patch->texels.size()) * 4; // in main memory and as a texture
-}
-
-int64_t CpuBackend::get_pool_memory() const {
-	return _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
+// Nothing for unused tiles of the pool: memory is allocated with the tiles that wake.
+BackendMemory CpuBackend::get_memory() const {
+	BackendMemory memory;
+	memory.shared = int64_t(_setup.patch->texels.size()) * 4; // in main memory and as a texture
+	memory.pool = _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
 			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // visible rows are in a texture too
-}
-
-int64_t CpuBackend::get_memory_usage() const {
-	int64_t bytes = get_shared_memory() + get_pool_memory() + mesh_bytes(_setup.card_size > 0.0f);
-	for (const FieldInstance &level : _levels) {
-		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
-	}
-	return bytes + _plants.get_memory_usage() +
+	memory.all = memory.shared + memory.pool + mesh_bytes(_setup.card_size > 0.0f) + _plants.get_memory_usage() +
 			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
 					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));
+	for (const FieldInstance &level : _levels) {
+		memory.all += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	}
+	return memory;
 }
 
 } // namespace grass

@@ -48,10 +48,7 @@ public:
 	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override { return find_knots(p_blades); }
 	EnergyReport read_energy() override { return { _step_number > 0 ? _step_number - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	BackendStatistics get_statistics() override;
-	int64_t get_memory_usage() const override;
-	int64_t get_shared_memory() const override;
-	int64_t get_pool_memory() const override;
-	int64_t get_pool_tile_memory() const override { return 0; } // memory is allocated with the tiles that wake
+	BackendMemory get_memory() const override;
 	const char *get_name() const override { return "CPU"; }
 
 private:

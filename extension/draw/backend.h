@@ -25,6 +25,14 @@
 
 namespace grass {
 
+// The memory of a field's own buffers and textures, in bytes.
+struct BackendMemory {
+	int64_t all = 0;
+	int64_t shared = 0; // of that, with other fields of the same patch
+	int64_t pool = 0; // of that, what the pool uses now
+	int64_t pool_tile = 0; // for each tile of a larger pool, used or not
+};
+
 class Backend : public Simulator {
 public:
 	// Prepares the passes that a field needs and this backend does not have yet. Returns whether all are ready.
@@ -56,7 +64,7 @@ public:
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
 	// Binds what shaders and passes read of the field's map, after set_plants() and whenever that is something else.
 	virtual void set_map(const MapBinding &p_map) {
-		p_map.set_uniforms([this](const char *p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); });
+		p_map.set_uniforms([this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); });
 	}
 	// Sets a uniform of the shaders of blades and plants.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
@@ -76,10 +84,7 @@ public:
 	// Must be called once in each frame, after its ticks: requests from the GPU what find_knots() returns later.
 	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
 	virtual BackendStatistics get_statistics() = 0;
-	virtual int64_t get_memory_usage() const = 0; // bytes of all the field's own buffers and textures
-	virtual int64_t get_shared_memory() const = 0; // bytes of that which it shares with other fields of the same patch
-	virtual int64_t get_pool_memory() const = 0; // bytes of that which the pool uses now
-	virtual int64_t get_pool_tile_memory() const = 0; // bytes for each tile of the pool, used or not
+	virtual BackendMemory get_memory() const = 0;
 	virtual const char *get_name() const = 0;
 };
 

@@ -2,7 +2,6 @@
 #include "draw/blade_materials.h"
 
 #include "draw/blade_mesh.h"
-#include "draw/surface_hook.h"
 #include "render_shaders.gen.h"
 
 using namespace godot;
@@ -22,21 +21,12 @@ BladeMaterials::BladeMaterials() {
 	}
 }
 
-namespace {
-ShaderText blade_text(const Look &p_look) {
+ShaderText BladeMaterials::blade_text(const Look &p_look) {
 	return { shader::BLADE_GDSHADER, VertexKind::BLADE, p_look };
 }
-ShaderText shadow_text(const Look &p_look) { // cards cast no shadow, and hooks do not show in shadows
+
+ShaderText BladeMaterials::shadow_text(const Look &p_look) { // cards cast no shadow, and hooks do not show in shadows
 	return { shader::SHADOW_GDSHADER, VertexKind::BLADE, { p_look.features & ~(SHADER_CARDS | SHADER_TERRAIN), String() } };
-}
-} // namespace
-
-bool BladeMaterials::prepare(const Look &p_look) {
-	return prepare_shader(blade_text(p_look)) & prepare_shader(shadow_text(p_look)); // `&`, so that worker threads start on both
-}
-
-bool BladeMaterials::is_compiled(const Look &p_look) {
-	return p_look.hook.is_empty() || grass::is_compiled(shared_shader(blade_text(p_look)));
 }
 
 void BladeMaterials::set_look(const Look &p_look) {

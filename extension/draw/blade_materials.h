@@ -17,10 +17,9 @@ class BladeMaterials {
 public:
 	BladeMaterials(); // without shaders, until set_look()
 
-	// Returns whether all shaders of the materials with p_look are ready. See prepare_shader().
-	static bool prepare(const Look &p_look);
-	// Returns whether the shaders compile with the look's hook.
-	static bool is_compiled(const Look &p_look);
+	// Return the shaders of the blades with p_look, and of their shadows.
+	static ShaderText blade_text(const Look &p_look);
+	static ShaderText shadow_text(const Look &p_look);
 	void set_look(const Look &p_look);
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
 	// Sets a uniform in all materials; a shader ignores a uniform that it does not have.

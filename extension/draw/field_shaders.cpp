@@ -8,11 +8,16 @@
 namespace grass {
 
 bool prepare_shaders(const Look &p_look) {
-	return BladeMaterials::prepare(p_look) & Plants::prepare(p_look) & Ground::prepare(p_look); // `&`: threads take all of them
+	const bool has_blades = prepare_shader(BladeMaterials::blade_text(p_look)) & prepare_shader(BladeMaterials::shadow_text(p_look));
+	const bool has_plants = (p_look.features & SHADER_PLANTS) == 0 || prepare_shader(Plants::text(p_look.features));
+	return prepare_shader(Ground::text(p_look)) && has_blades && has_plants; // threads take all of them
 }
 
 bool are_compiled(const Look &p_look) {
-	return BladeMaterials::is_compiled(p_look) && Ground::is_compiled(p_look);
+	const auto is_compiled = [](const ShaderText &p_text) {
+		return !shared_shader(p_text)->get_shader_uniform_list().is_empty(); // the engine lists no uniforms of a shader with an error
+	};
+	return p_look.hook.is_empty() || (is_compiled(BladeMaterials::blade_text(p_look)) && is_compiled(Ground::text(p_look)));
 }
 
 } // namespace grass

@@ -2,7 +2,6 @@
 #include "draw/ground.h"
 
 #include "draw/shared_shader.h"
-#include "draw/surface_hook.h"
 #include "render_shaders.gen.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -32,18 +31,10 @@ constexpr int MOST_CELLS = 256;
 int cells_along(double p_metres) {
 	return std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
 }
-
-ShaderText ground_text(const Look &p_look) {
-	return { shader::GROUND_GDSHADER, VertexKind::GROUND, { p_look.features & ~SHADER_CARDS, p_look.hook } }; // flowers are just a colour
-}
 } // namespace
 
-bool Ground::prepare(const Look &p_look) {
-	return prepare_shader(ground_text(p_look));
-}
-
-bool Ground::is_compiled(const Look &p_look) {
-	return p_look.hook.is_empty() || grass::is_compiled(shared_shader(ground_text(p_look)));
+ShaderText Ground::text(const Look &p_look) {
+	return { shader::GROUND_GDSHADER, VertexKind::GROUND, { p_look.features & ~SHADER_CARDS, p_look.hook } }; // flowers are just a colour
 }
 
 void Ground::create(const TileGrid &p_grid, const Look &p_look) {
@@ -164,7 +155,7 @@ void Ground::set_uniform(const StringName &p_name, const Variant &p_value) {
 }
 
 void Ground::set_look(const Look &p_look) {
-	_material->set_shader(shared_shader(ground_text(p_look)));
+	_material->set_shader(shared_shader(text(p_look)));
 }
 
 void Ground::free() {

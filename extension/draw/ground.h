@@ -22,10 +22,7 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
-	// Returns whether p_look's shader is ready. See prepare_shader().
-	static bool prepare(const Look &p_look);
-	// Returns whether it compiles with the look's hook.
-	static bool is_compiled(const Look &p_look);
+	static ShaderText text(const Look &p_look); // of its shader
 	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
 	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);

@@ -5,13 +5,13 @@
 
 #include "core/map/map_layers.h"
 #include "draw/growing_arrays.h"
+#include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/variant/variant.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <algorithm>
-#include <functional>
 
 namespace grass {
 
@@ -22,7 +22,6 @@ struct MapBinding {
 	godot::Ref<godot::Texture2D> pages;
 	godot::Vector2 origin;
 
-	using SetUniform = std::function<void(const char *p_name, const godot::Variant &p_value)>;
 	// Sets the shaders' uniforms (shaders/map/map.inc).
 	void set_uniforms(const SetUniform &p_set) const;
 };

@@ -10,17 +10,12 @@ namespace grass {
 
 namespace {
 
-ShaderText plant_text(int p_features) {
-	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
-	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges, String() } };
-}
-
 std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_species, int p_features) {
 	std::vector<Ref<ShaderMaterial>> materials;
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		Ref<ShaderMaterial> &material = materials.emplace_back();
 		material.instantiate();
-		material->set_shader(shared_shader(plant_text(p_features)));
+		material->set_shader(shared_shader(Plants::text(p_features)));
 		material->set_shader_parameter("segments", GRASS_SEGMENTS);
 		material->set_shader_parameter("plant_species", p_species);
 		material->set_shader_parameter("plant_color", surface.color);
@@ -34,8 +29,9 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 
 } // namespace
 
-bool Plants::prepare(const Look &p_look) {
-	return (p_look.features & SHADER_PLANTS) == 0 || prepare_shader(plant_text(p_look.features));
+ShaderText Plants::text(int p_features) {
+	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
+	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges, String() } };
 }
 
 void Plants::set(

@@ -26,8 +26,7 @@ public:
 	// Most plants of one species drawn at once.
 	static constexpr int ROOM = 65536;
 
-	// Returns whether the shader for fields with p_look is ready, if they need one. See prepare_shader().
-	static bool prepare(const Look &p_look);
+	static ShaderText text(int p_features); // of the shader for fields with these ShaderFeatures
 	// Sets the plants. p_plants: by species. p_rooms: capacities of their MultiMeshes. Uniforms must be set again afterwards.
 	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,
 			const godot::AABB &p_bounds);

@@ -2,17 +2,23 @@
 #include "draw/shared_shader.h"
 
 #include "draw/frame_share.h"
-#include "draw/shader_job.h"
 #include "draw/task_queue.h"
 
+#include <godot_cpp/classes/mesh.hpp>
 #include <godot_cpp/classes/os.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
+#include <atomic>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -22,6 +28,78 @@ using namespace godot;
 namespace grass {
 
 namespace {
+
+std::mutex making; // held by the worker that is making a shader
+
+PackedByteArray zeros(int64_t p_bytes) {
+	PackedByteArray bytes;
+	bytes.resize(p_bytes);
+	bytes.fill(0);
+	return bytes;
+}
+
+// Returns a degenerate triangle. Only its format counts, which must be that of the later meshes.
+Dictionary make_surface(VertexKind p_vertices) {
+	constexpr int64_t VERSION = int64_t(RenderingServer::ARRAY_FLAG_FORMAT_CURRENT_VERSION), INDEX = Mesh::ARRAY_FORMAT_INDEX;
+	constexpr int64_t GROUND = Mesh::ARRAY_FORMAT_VERTEX | Mesh::ARRAY_FORMAT_NORMAL | Mesh::ARRAY_FORMAT_TANGENT;
+	constexpr int64_t PLANT = GROUND | Mesh::ARRAY_FORMAT_TEX_UV | Mesh::ARRAY_FORMAT_CUSTOM0 |
+			(int64_t(Mesh::ARRAY_CUSTOM_RGB_FLOAT) << Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
+	const bool has_vertices = p_vertices != VertexKind::BLADE;
+	Dictionary surface;
+	surface["primitive"] = RenderingServer::PRIMITIVE_TRIANGLES;
+	surface["format"] = VERSION | INDEX |
+			(p_vertices == VertexKind::PLANT                   ? PLANT
+							: p_vertices == VertexKind::GROUND ? GROUND
+															   : int64_t(Mesh::ARRAY_FLAG_USES_EMPTY_VERTEX_ARRAY));
+	surface["vertex_count"] = has_vertices ? 3 : 0;
+	surface["vertex_data"] = zeros(has_vertices ? 3 * (12 + 4 + 4) : 0); // position, normal, tangent
+	if (p_vertices == VertexKind::PLANT) {
+		surface["attribute_data"] = zeros(3 * (8 + 12)); // UV, three numbers
+	}
+	surface["index_count"] = 3;
+	surface["index_data"] = zeros(3 * (has_vertices ? 2 : 4));
+	surface["aabb"] = AABB(Vector3(), Vector3(1, 1, 1));
+	return surface;
+}
+
+// Makes a shader and the pipelines that the renderer draws with. On the main thread this would hold up a frame, by some 80 ms or, with an
+// empty driver cache, by more than a second.
+struct ShaderJob {
+	explicit ShaderJob(const ShaderText &p_text) :
+			code(make_shader_code(p_text.code, p_text.look)), surface(make_surface(p_text.vertices)) {}
+	ShaderJob(const ShaderJob &) = delete;
+	ShaderJob &operator=(const ShaderJob &) = delete;
+	~ShaderJob() {
+		if (mesh.is_valid()) {
+			RenderingServer::get_singleton()->free_rid(mesh);
+		}
+	}
+
+	// Runs on a worker thread. If a thread other than the renderer's creates a mesh, the call returns when all pipelines of its materials
+	// are ready. The engine's loaders wait for those of a scene in this way.
+	void work() {
+		{
+			std::lock_guard lock(making);
+			shader.instantiate();
+			shader->set_code(code);
+			material.instantiate();
+			material->set_shader(shader);
+			surface["material"] = material->get_rid(); // compiles the shader
+		}
+		TypedArray<Dictionary> surfaces;
+		surfaces.push_back(surface);
+		mesh = RenderingServer::get_singleton()->mesh_create_from_surfaces(surfaces);
+		is_done = true;
+	}
+
+	String code;
+	Dictionary surface; // the mesh data for the renderer
+	Ref<Shader> shader; // valid once it is done
+	Ref<ShaderMaterial> material;
+	RID mesh;
+	std::atomic<bool> is_done = false;
+};
+
 using Key = std::tuple<const char *, int, std::string>; // address of the code, features, hook
 std::map<Key, Ref<Shader>> shaders;
 std::map<Key, std::shared_ptr<ShaderJob>> jobs; // that are not in `shaders` yet
@@ -113,9 +191,9 @@ bool prepare_shader(const ShaderText &p_text) {
 			job = std::make_shared<ShaderJob>(p_text);
 			queue.push(job.get(), [job] { job->work(); });
 		}
-		const bool is_done = job->is_done();
+		const bool is_done = job->is_done;
 		if (is_done) {
-			shaders[key] = job->get_shader();
+			shaders[key] = job->shader;
 			jobs.erase(key);
 		}
 		return is_done;
@@ -137,7 +215,9 @@ void hold_shader_jobs() {
 		return;
 	}
 	queue.hold();
-	ShaderJob::wait_for_shaders();
+	{
+		std::lock_guard lock(making); // waits for a thread that is making a shader, at most some 90 ms; pipelines may still be in progress
+	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	if (!server->is_connected("frame_post_draw", release_jobs())) {
 		server->connect("frame_post_draw", release_jobs());

@@ -5,6 +5,10 @@
 
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/variant.hpp>
+
+#include <functional>
 
 namespace grass {
 
@@ -28,6 +32,9 @@ struct Look {
 
 	bool operator==(const Look &) const = default;
 };
+
+// Sets a uniform of shaders by its name.
+using SetUniform = std::function<void(const godot::StringName &p_name, const godot::Variant &p_value)>;
 
 struct ShaderText {
 	const char *code; // UTF-8, a string literal

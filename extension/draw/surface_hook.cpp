@@ -38,10 +38,6 @@ const SurfaceHook::Uniform *SurfaceHook::find(const StringName &p_name) const {
 	return nullptr;
 }
 
-bool is_compiled(const Ref<Shader> &p_shader) {
-	return !p_shader->get_shader_uniform_list().is_empty(); // the engine lists no uniforms of a shader with an error
-}
-
 SurfaceHook compile_hook(const Ref<ShaderInclude> &p_include) {
 	SurfaceHook hook;
 	if (p_include.is_null() || p_include->get_code().strip_edges().is_empty()) {

@@ -2,7 +2,6 @@
 // A field's `surface_hook`, in the form that its shaders use (shaders/draw/surface.gdshaderinc).
 #pragma once
 
-#include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/shader_include.hpp>
 #include <godot_cpp/core/property_info.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -26,8 +25,5 @@ struct SurfaceHook {
 
 // Compiles the include alone, which takes a few ms. The engine reports errors in it.
 SurfaceHook compile_hook(const godot::Ref<godot::ShaderInclude> &p_include);
-
-// Returns whether a shader with a hook compiled.
-bool is_compiled(const godot::Ref<godot::Shader> &p_shader);
 
 } // namespace grass

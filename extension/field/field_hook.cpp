@@ -19,10 +19,9 @@ void FieldHook::set_include(const Ref<ShaderInclude> &p_include, const Callable 
 	(void)watch_instead(_include, p_include, p_changed); // the field compared them
 }
 
-bool FieldHook::compile() {
+void FieldHook::compile() {
 	_hook = compile_hook(_include);
 	_is_broken = _include.is_valid() && _hook.text.is_empty();
-	return !_is_broken;
 }
 
 void FieldHook::reject() {
@@ -57,7 +56,7 @@ Variant FieldHook::get_value(const StringName &p_uniform) const {
 }
 
 // Only the include's own: a name of ours must not reach the shaders.
-void FieldHook::hand_on(const Set &p_set) const {
+void FieldHook::hand_on(const SetUniform &p_set) const {
 	for (const auto &[name, value] : _values) {
 		if (has(name)) {
 			p_set(name, value);
@@ -65,26 +64,16 @@ void FieldHook::hand_on(const Set &p_set) const {
 	}
 }
 
-bool FieldHook::set_property(const StringName &p_property, const Variant &p_value) {
-	const String name = p_property;
-	if (!name.begins_with(PREFIX)) {
-		return false;
-	}
-	set_value(name.trim_prefix(PREFIX), p_value);
-	return true;
-}
-
 bool FieldHook::is_property(const StringName &p_name) {
 	return String(p_name).begins_with(PREFIX);
 }
 
-bool FieldHook::get_property(const StringName &p_property, Variant &r_value) const {
-	const String name = p_property;
-	if (!name.begins_with(PREFIX)) {
-		return false;
-	}
-	r_value = get_value(name.trim_prefix(PREFIX));
-	return true;
+void FieldHook::set_property(const StringName &p_property, const Variant &p_value) {
+	set_value(String(p_property).trim_prefix(PREFIX), p_value);
+}
+
+Variant FieldHook::get_property(const StringName &p_property) const {
+	return get_value(String(p_property).trim_prefix(PREFIX));
 }
 
 void FieldHook::list(List<PropertyInfo> *r_list) const {

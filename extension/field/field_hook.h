@@ -2,6 +2,7 @@
 // The `surface_hook` of a field: the user's include, its compiled text, and the values of its uniforms.
 #pragma once
 
+#include "draw/shared_shader.h"
 #include "draw/surface_hook.h"
 
 #include <godot_cpp/templates/list.hpp>
@@ -9,7 +10,6 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -17,13 +17,10 @@ namespace grass {
 
 class FieldHook {
 public:
-	using Set = std::function<void(const godot::StringName &p_name, const godot::Variant &p_value)>;
-
 	// p_changed runs when the include changes; call compile() then.
 	void set_include(const godot::Ref<godot::ShaderInclude> &p_include, const godot::Callable &p_changed);
 	const godot::Ref<godot::ShaderInclude> &get_include() const { return _include; }
-	// False if there is an include that does not compile; the field is drawn without it.
-	bool compile();
+	void compile(); // the field is drawn without an include that does not compile
 	// Marks an include that compiles alone, but not in the field's shaders.
 	void reject();
 	const godot::String &get_text() const { return _hook.text; } // SurfaceHook::text
@@ -32,13 +29,12 @@ public:
 	godot::PackedStringArray get_uniforms() const;
 	void set_value(const godot::StringName &p_uniform, const godot::Variant &p_value); // null: the include's default
 	godot::Variant get_value(const godot::StringName &p_uniform) const;
-	void hand_on(const Set &p_set) const; // all values
+	void hand_on(const SetUniform &p_set) const; // all values
 
-	// The uniforms as properties, hook/NAME.
+	// The uniforms as properties, hook/NAME. A scene sets them before or after the include.
 	static bool is_property(const godot::StringName &p_name);
-	// Returns false if the property is not a uniform. A scene sets uniforms before or after the include.
-	bool set_property(const godot::StringName &p_property, const godot::Variant &p_value);
-	bool get_property(const godot::StringName &p_property, godot::Variant &r_value) const;
+	void set_property(const godot::StringName &p_property, const godot::Variant &p_value);
+	godot::Variant get_property(const godot::StringName &p_property) const;
 	void list(godot::List<godot::PropertyInfo> *r_list) const;
 	void warn(godot::PackedStringArray &r_warnings) const;
 	godot::String get_name() const; // of the include, for messages

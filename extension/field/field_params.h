@@ -94,6 +94,7 @@ struct FieldParam {
 	Tunable tunable;
 	Effect effect;
 	const char *group; // of the inspector
+	QualityFactorId factor = QUALITY_FACTORS; // by which the level of quality scales it; QUALITY_FACTORS: it does not
 };
 
 inline constexpr std::array FIELD_PARAMS = {
@@ -131,43 +132,16 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_GLOSS, GLOSS, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_WETNESS, WETNESS, Effect::UNIFORM, "Surface" },
 	FieldParam{ PARAM_SNOW, SNOW, Effect::UNIFORM, "Surface" },
-	FieldParam{ PARAM_LOD_FAR, LOD_FAR, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_LOD_ERROR, LOD_ERROR, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_PIXELS_MIN, PIXELS_MIN, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_LOD_FAR, LOD_FAR, Effect::VIEW, "Level of Detail", QUALITY_LOD_FAR },
+	FieldParam{ PARAM_LOD_ERROR, LOD_ERROR, Effect::VIEW, "Level of Detail", QUALITY_LOD_ERROR },
+	FieldParam{ PARAM_PIXELS_MIN, PIXELS_MIN, Effect::UNIFORM, "Level of Detail", QUALITY_PIXELS_MIN },
 	FieldParam{ PARAM_THIN_WIDENING, THIN_WIDENING, Effect::UNIFORM, "Level of Detail" },
-	FieldParam{ PARAM_SHADOW_DISTANCE, SHADOW_DISTANCE, Effect::UNIFORM, "Level of Detail" },
-	FieldParam{ PARAM_SHADOW_COARSENESS, SHADOW_COARSENESS, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_SHADOW_DISTANCE, SHADOW_DISTANCE, Effect::UNIFORM, "Level of Detail", QUALITY_SHADOW_DISTANCE },
+	FieldParam{ PARAM_SHADOW_COARSENESS, SHADOW_COARSENESS, Effect::VIEW, "Level of Detail", QUALITY_SHADOW_COARSENESS },
 	FieldParam{ PARAM_SHADOW_MARGIN, SHADOW_MARGIN, Effect::VIEW, "Level of Detail" },
 	FieldParam{ PARAM_DRAWN_TILES_MAX, DRAWN_TILES_MAX, Effect::REBUILD, "Level of Detail" },
 };
 
-// The table is indexed by id.
-consteval bool is_in_order() {
-	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
-		if (size_t(FIELD_PARAMS[i].id) != i) {
-			return false;
-		}
-	}
-	return FIELD_PARAMS.size() == PARAM_COUNT;
-}
-static_assert(is_in_order());
-
-// Returns what scales a number by the level of quality; QUALITY_FACTORS: nothing does.
-constexpr QualityFactorId factor_of(FieldParamId p_param) {
-	switch (p_param) {
-		case PARAM_PIXELS_MIN:
-			return QUALITY_PIXELS_MIN;
-		case PARAM_LOD_ERROR:
-			return QUALITY_LOD_ERROR;
-		case PARAM_LOD_FAR:
-			return QUALITY_LOD_FAR;
-		case PARAM_SHADOW_DISTANCE:
-			return QUALITY_SHADOW_DISTANCE;
-		case PARAM_SHADOW_COARSENESS:
-			return QUALITY_SHADOW_COARSENESS;
-		default:
-			return QUALITY_FACTORS;
-	}
-}
+static_assert(is_indexed_by_id(FIELD_PARAMS, PARAM_COUNT));
 
 } // namespace grass

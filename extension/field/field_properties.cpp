@@ -38,9 +38,9 @@ bool FieldProperties::update_quality() {
 }
 
 double FieldProperties::scaled(FieldParamId p_param) const {
-	const QualityFactorId factor = factor_of(p_param);
+	const FieldParam &info = FIELD_PARAMS[size_t(p_param)];
 	const double value = param(p_param);
-	return factor == QUALITY_FACTORS ? value : quality.scale(factor, FIELD_PARAMS[size_t(p_param)].tunable, value);
+	return info.factor == QUALITY_FACTORS ? value : quality.scale(info.factor, info.tunable, value);
 }
 
 ClumpParams FieldProperties::clump() const {

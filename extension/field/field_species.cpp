@@ -11,17 +11,8 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-
-struct Joining {
-	std::vector<std::shared_ptr<const Patch>> from;
-	std::vector<double> shares;
-	std::vector<int> stems;
-	bool operator==(const Joining &) const = default;
-};
-
 // The same for all fields of these species: it takes megabytes, and milliseconds. Main thread only.
-std::shared_ptr<const Patch> find_join(const Joining &p_joining) {
+std::shared_ptr<const Patch> FieldSpecies::find_join(const Joining &p_joining) {
 	static std::vector<std::pair<Joining, std::weak_ptr<const Patch>>> made;
 	std::erase_if(made, [](const auto &p_made) { return p_made.second.expired(); });
 	for (const auto &[joining, patch] : made) {
@@ -33,8 +24,6 @@ std::shared_ptr<const Patch> find_join(const Joining &p_joining) {
 	made.emplace_back(p_joining, patch);
 	return patch;
 }
-
-} // namespace
 
 std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field) {
 	std::vector<SolverParams> solvers;
@@ -147,15 +136,6 @@ std::vector<SpeciesParams> FieldSpecies::find_mix() const {
 	return mix;
 }
 
-// A species without a patch has the one that fields without a patch have.
-std::vector<std::shared_ptr<const Patch>> FieldSpecies::find_patches() const {
-	std::vector<std::shared_ptr<const Patch>> patches;
-	for (const Ref<GrassSpecies> &species : find_used()) {
-		patches.push_back(find_patch(**species));
-	}
-	return patches;
-}
-
 // Of all blades, together 1.
 std::vector<double> FieldSpecies::find_shares() const {
 	std::vector<double> shares;
@@ -170,17 +150,19 @@ std::vector<double> FieldSpecies::find_shares() const {
 	return shares;
 }
 
+FieldSpecies::Joining FieldSpecies::find_joining() const {
+	return { patches_of(find_grown()), find_shares(), find_stems() };
+}
+
 bool FieldSpecies::is_joined() const {
-	return _joined && _joined_from == find_patches() && _joined_shares == find_shares() && _joined_stems == find_stems();
+	return _joined && _joined_of == find_joining();
 }
 
 std::shared_ptr<const Patch> FieldSpecies::join() const {
-	if (!is_joined()) {
-		_joined_from = find_patches();
-		_joined_shares = find_shares();
-		_joined_stems = find_stems();
-		const bool is_one = _joined_from.size() == 1 && _joined_stems[0] == 1;
-		_joined = is_one ? _joined_from[0] : find_join({ _joined_from, _joined_shares, _joined_stems });
+	if (Joining now = find_joining(); !_joined || _joined_of != now) {
+		const bool is_one = now.from.size() == 1 && now.stems[0] == 1;
+		_joined = is_one ? now.from[0] : find_join(now);
+		_joined_of = std::move(now);
 	}
 	return _joined;
 }

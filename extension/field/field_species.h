@@ -69,18 +69,24 @@ public:
 	void warn(godot::PackedStringArray &r_warnings, double p_density) const;
 
 private:
+	struct Joining { // what a joined patch is made of
+		std::vector<std::shared_ptr<const Patch>> from;
+		std::vector<double> shares;
+		std::vector<int> stems;
+		bool operator==(const Joining &) const = default;
+	};
+
+	static std::shared_ptr<const Patch> find_join(const Joining &p_joining);
+	Joining find_joining() const;
 	bool is_upright() const { return _pull.isZero(0.0); }
 	std::shared_ptr<const Patch> find_patch(const GrassSpecies &p_species) const;
-	std::vector<std::shared_ptr<const Patch>> find_patches() const;
 	std::vector<double> find_shares() const;
 	void warn_of_plants(int64_t p_species, double p_density, godot::PackedStringArray &r_warnings) const;
 
 	List _list; // may hold empty ones
 	Eigen::Vector3d _pull = Eigen::Vector3d::Zero();
-	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares
-	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
-	mutable std::vector<double> _joined_shares;
-	mutable std::vector<int> _joined_stems;
+	mutable std::shared_ptr<const Patch> _joined;
+	mutable Joining _joined_of;
 };
 
 } // namespace grass

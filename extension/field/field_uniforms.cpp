@@ -7,14 +7,13 @@
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector4_array.hpp>
 
-#include <cmath>
 #include <utility>
 
 using namespace godot;
 
 namespace grass {
 
-void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const {
+void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const SetUniform &p_set) const {
 	const TileGrid &grid = p_setup.grid;
 	p_set("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
 	p_set("lattice_points", lattice_texture());
@@ -43,7 +42,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	set_wind(p_properties, p_set);
 }
 
-void FieldUniforms::set_wind(const FieldProperties &p_properties, const Set &p_set) const {
+void FieldUniforms::set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const {
 	const Eigen::Vector2d wind = wind_in_field(_turn, p_properties.param(PARAM_WIND_SPEED), p_properties.param(PARAM_WIND_DIRECTION));
 	p_set("wind", Vector2(real_t(wind.x()), real_t(wind.y())));
 	p_set("gust", Vector2(real_t(p_properties.param(PARAM_GUST_SIZE)), real_t(p_properties.param(PARAM_GUST_STRENGTH))));
@@ -53,19 +52,19 @@ bool FieldUniforms::turn(const Eigen::Matrix3d &p_turn) {
 	return std::exchange(_turn, p_turn) != p_turn;
 }
 
-void FieldUniforms::set_light(const Vector4 &p_other, const Set &p_set) {
+void FieldUniforms::set_light(const Vector4 &p_other, const SetUniform &p_set) {
 	if (_light != p_other) {
 		_light = p_other;
 		p_set("other_light", _light);
 	}
 }
 
-void FieldUniforms::set_wind_clock(const Set &p_set) {
+void FieldUniforms::set_wind_clock(const SetUniform &p_set) {
 	_clock = Vector2(real_t(_wind.sway), real_t(_wind.roll));
 	p_set("grass_time", _clock);
 }
 
-bool FieldUniforms::keep_wind_clock(const Set &p_set) {
+bool FieldUniforms::keep_wind_clock(const SetUniform &p_set) {
 	if (_clock_before != _drawn_clock) {
 		_clock_before = _drawn_clock;
 		p_set("grass_time_before", _clock_before);
@@ -82,7 +81,7 @@ bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta, bo
 	return blows;
 }
 
-void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set) {
+void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const SetUniform &p_set) {
 	if (p_forces.empty() && _forces == 0) {
 		return;
 	}
@@ -108,7 +107,7 @@ void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &
 }
 
 // Colours and dryness of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.
-void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set) {
+void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const SetUniform &p_set) {
 	double shares = 0.0;
 	for (const GrownSpecies &grown : p_species) {
 		shares += grown.species->get_mix().share;
@@ -131,7 +130,7 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 }
 
 // How plants with a mesh look as blades, and where they are.
-void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set) {
+void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set) {
 	PackedVector4Array looks, bands;
 	PackedVector2Array reaches;
 	PackedFloat32Array rows;
@@ -155,7 +154,7 @@ void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_
 }
 
 void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species,
-		const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set, const Set &p_set_blades) {
+		const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set, const SetUniform &p_set_blades) {
 	set_colors(p_species, p_set);
 	if (!p_setup.species) {
 		return;

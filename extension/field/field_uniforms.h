@@ -5,10 +5,10 @@
 #include "core/blades/force.h"
 #include "core/blades/wind.h"
 #include "core/field/field_setup.h"
+#include "draw/shared_shader.h"
 #include "draw/species_look.h"
 #include "field/field_properties.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,31 +16,29 @@ namespace grass {
 
 class FieldUniforms {
 public:
-	using Set = std::function<void(const char *p_name, const godot::Variant &p_value)>;
-
 	// Of blades and ground.
-	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
-	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
+	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const SetUniform &p_set) const;
+	void set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const;
 	// Sets how the field's axes lie in the world's, which the wind needs. Returns whether they lie otherwise than before.
 	bool turn(const Eigen::Matrix3d &p_turn);
 	// p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground; p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
-			float p_reach, const Set &p_set, const Set &p_set_blades);
-	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
-	void set_wind_clock(const Set &p_set);
+			float p_reach, const SetUniform &p_set, const SetUniform &p_set_blades);
+	void set_light(const godot::Vector4 &p_other, const SetUniform &p_set); // see OtherLight
+	void set_wind_clock(const SetUniform &p_set);
 	// Sets the wind's clock of the last frame, for motion vectors. Call it once in each frame. Returns whether the clock has run since.
-	bool keep_wind_clock(const Set &p_set);
+	bool keep_wind_clock(const SetUniform &p_set);
 	void join_wind(const FieldUniforms &p_other) { _wind = p_other._wind; } // gusts go on from one field to the other
 
 	// Of blades.
-	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set);
+	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const SetUniform &p_set);
 	// Lets the wind, or forces (p_has_forces), blow for p_delta seconds. Returns false if nothing blows.
 	bool blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces);
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
-	static void set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set);
-	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
+	static void set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set);
+	static void set_colors(const std::vector<GrownSpecies> &p_species, const SetUniform &p_set);
 
 	WindClock _wind;
 	Eigen::Matrix3d _turn = Eigen::Matrix3d::Identity();

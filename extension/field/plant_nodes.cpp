@@ -230,20 +230,13 @@ bool PlantNodes::show(const StandingScene &p_plant, const Scene &p_scene, float 
 
 // The signal comes first, while the node is still there.
 bool PlantNodes::hide(BladeNumber p_blade) {
-	const auto found = _shown.find(p_blade);
-	if (found == _shown.end()) {
-		return true;
-	}
-	const Shown shown = found->second;
-	_shown.erase(found);
-	Node3D *node = node_with(shown.node);
+	const auto left = _shown.extract(p_blade);
+	Node3D *node = left.empty() ? nullptr : node_with(left.mapped().node);
 	if (node == nullptr) {
 		return true;
 	}
-	if (!outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); })) {
-		return false;
-	}
-	return store(shown);
+	const Shown &shown = left.mapped();
+	return outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); }) && store(shown);
 }
 
 // A node that the game has put elsewhere is the game's.

@@ -2,7 +2,6 @@
 #include "field/standing_field.h"
 
 #include "draw/blade_mesh.h"
-#include "draw/field_shaders.h"
 #include "draw/frame_share.h"
 #include "shared/convert.h"
 
@@ -92,7 +91,7 @@ void StandingField::update_quality() {
 		return;
 	}
 	for (const FieldParam &param : FIELD_PARAMS) {
-		if (param.effect == Effect::UNIFORM && factor_of(param.id) != QUALITY_FACTORS) {
+		if (param.effect == Effect::UNIFORM && param.factor != QUALITY_FACTORS) {
 			set_uniform(param.tunable.name, _properties.scaled(param.id));
 		}
 	}
@@ -117,27 +116,12 @@ void StandingField::set_uniform(const StringName &p_name, const Variant &p_value
 	}
 }
 
-// p_ground: for the ground too, instead of only the blades.
-FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
-	return [this, p_ground](const char *p_name, const Variant &p_value) {
-		if (p_ground) {
-			set_uniform(p_name, p_value);
-		} else {
-			_backend->set_uniform(p_name, p_value);
-		}
-	};
-}
-
-void StandingField::set_wind_clock() {
-	_uniforms.set_wind_clock(uniform_setter(true));
-}
-
 // p_all: for a backend that knows nothing of what another was told. Else only textures that are new.
 void StandingField::bind_map(bool p_all) {
 	if (p_all || (_map && _map->has_new_textures())) {
 		const MapBinding binding = _map ? _map->bind() : MapBinding();
 		_backend->set_map(binding);
-		binding.set_uniforms([this](const char *p_name, const Variant &p_value) { _ground.set_uniform(p_name, p_value); });
+		binding.set_uniforms([this](const StringName &p_name, const Variant &p_value) { _ground.set_uniform(p_name, p_value); });
 	}
 	if (_map) {
 		set_uniform("map_base_density", _map->get_map()->get_base_density());
@@ -196,9 +180,9 @@ bool StandingField::tick(
 }
 
 void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
-	_uniforms.set_forces(p_forces, _field.get_grid(), uniform_setter(false));
+	_uniforms.set_forces(p_forces, _field.get_grid(), _set_of_blades);
 	if (_uniforms.blow(_properties, p_delta, !p_forces.empty()) && _field.is_seen()) {
-		set_wind_clock();
+		_uniforms.set_wind_clock(_set);
 		_wind_updates++;
 	}
 }
@@ -242,7 +226,7 @@ bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 		_is_crowded = _is_crowded || leaves_tiles_out();
 	}
 	if (_field.is_seen() && !was_seen && _properties.param(PARAM_WIND_SPEED) > 0.0) {
-		set_wind_clock();
+		_uniforms.set_wind_clock(_set);
 		_wind_updates++;
 	}
 	return _is_crowded && !was_crowded;
@@ -257,19 +241,6 @@ bool StandingField::leaves_tiles_out() const {
 	return picture + shadows > 0;
 }
 
-String StandingField::crowded_warning() const {
-	return vformat(
-			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
-			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
-			"nearer.",
-			_field.get_setup().instance_capacity(), _field.get_setup().shadow_capacity());
-}
-
-String StandingField::blind_warning() {
-	return "`simulation_budget` has no effect: this device measures no times, so every drawn blade is simulated. Lower `pool_tiles`, or "
-		   "raise `pixels_min`, to make the simulation cheaper.";
-}
-
 AABB StandingField::get_bounds() const {
 	FieldSetup setup;
 	setup.grid = _properties.grid();
@@ -281,7 +252,7 @@ int64_t StandingField::get_memory_usage() const {
 	const TileBounds *bounds = _field.get_bounds();
 	const size_t tiles = _field.get_tiles().get_memory_usage() + (bounds != nullptr ? bounds->get_memory_usage() : 0);
 	return int64_t(tiles) + (_map ? _map->get_memory_usage() : 0) + _uniforms.get_cards_memory() +
-			(_backend ? _backend->get_memory_usage() : 0);
+			(_backend ? _backend->get_memory().all : 0);
 }
 
 DrawnStatistics StandingField::count_drawn() const {

@@ -20,12 +20,8 @@
 
 namespace grass {
 
-// The memory used by a field, in bytes.
-struct FieldMemory {
-	int64_t all = 0; // including its map
-	int64_t shared = 0; // shared with fields that have the same patch
-	int64_t pool = 0; // its pool
-	int64_t pool_tile = 0; // for each tile of a larger pool, used or not
+// The memory used by a field, including its map.
+struct FieldMemory : BackendMemory {
 	const void *patch = nullptr; // only for comparison; null: there is no field
 };
 
@@ -69,7 +65,7 @@ public:
 	// Scales what the shaders know, and the pool, by another level of quality. Nothing is made again.
 	void update_quality();
 	void fit_pool(); // to the properties, without putting its blades to rest
-	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
+	void update_wind() { _uniforms.set_wind(_properties, _set); }
 	// Updates the species' colours and frequencies. Returns false if the change requires making the field again.
 	bool update_species();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
@@ -91,14 +87,14 @@ public:
 	// Returns true if blades moved.
 	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
 	// Must be called in each frame of a renderer that adds light in sRGB.
-	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
+	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, _set); }
 	// Advances the wind. Must be called in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
 	// Must be called in each frame before show_motion(). See Backend.
 	void show_between(bool p_is_between, float p_share) { _backend->show_between(p_is_between, p_share); }
 	// Must be called in each frame once its cameras are known. p_is_read: something reads motion vectors; p_is_visible: the node is
 	// visible.
-	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
+	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(_set_of_blades)); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Simulates these blades, even if no camera needs them, for a while.
 	void ask(std::span<const BladeNumber> p_blades);
@@ -118,9 +114,7 @@ public:
 	// Before there is a field, returns the value of the one that the properties describe.
 	TileGrid get_grid() const { return stands() ? _field.get_grid() : _properties.grid(); }
 	godot::AABB get_bounds() const;
-	FieldHook::Set setter() { // of blades and ground
-		return [this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); };
-	}
+	const SetUniform &setter() const { return _set; } // set_uniform()
 	void measure_time(); // starts measuring, whatever the property says
 	int64_t get_memory_usage() const; // bytes
 	DrawnStatistics count_drawn() const; // only while there is a field
@@ -138,14 +132,12 @@ private:
 	enum class Part { NOTHING, BACKEND, LOOK, GROUND, PLANTS, UNIFORMS, SPECIES, MAP, COVER, ALL };
 	void show_parts(const Look &p_look, bool p_is_hidden);
 	void show_part(const Look &p_look);
-	void set_wind_clock();
 	void bind_map(bool p_all);
 	void set_species_uniforms() {
-		_uniforms.set_species(_field.get_setup(), _species, _plants, float(_properties.quality.factor(QUALITY_PLANT_DISTANCE)),
-				uniform_setter(true), uniform_setter(false));
+		_uniforms.set_species(
+				_field.get_setup(), _species, _plants, float(_properties.quality.factor(QUALITY_PLANT_DISTANCE)), _set, _set_of_blades);
 	}
 	void set_plants();
-	FieldUniforms::Set uniform_setter(bool p_ground);
 	bool leaves_tiles_out() const;
 
 	const FieldProperties &_properties;
@@ -157,6 +149,11 @@ private:
 	mutable MapLayers _layers_there; // of layers_at(): around one place
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
+	// Of blades and ground; of the blades alone, while there is a backend.
+	const SetUniform _set{ [this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); } };
+	const SetUniform _set_of_blades{ [this](const godot::StringName &p_name, const godot::Variant &p_value) {
+		_backend->set_uniform(p_name, p_value);
+	} };
 	FieldUniforms _uniforms;
 	Part _part = Part::NOTHING;
 	int _rows_shown = 0; // of the cover

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which device runs the field, and why it is not the graphics device.
+// Which device runs the field, why it is not the graphics device, and what it cannot do.
 #include "cpu/cpu_backend.h"
 #include "field/standing_field.h"
 #include "gpu/device.h"
@@ -80,6 +80,19 @@ void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
 				vformat("`drawn_tiles_max` is %d, but the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
 						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
 	}
+}
+
+String StandingField::crowded_warning() const {
+	return vformat(
+			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
+			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
+			"nearer.",
+			_field.get_setup().instance_capacity(), _field.get_setup().shadow_capacity());
+}
+
+String StandingField::blind_warning() {
+	return "`simulation_budget` has no effect: this device measures no times, so every drawn blade is simulated. Lower `pool_tiles`, or "
+		   "raise `pixels_min`, to make the simulation cheaper.";
 }
 
 } // namespace grass

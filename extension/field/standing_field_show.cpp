@@ -46,7 +46,7 @@ bool StandingField::show(GeometryInstance3D *p_node, const Transform3D &p_transf
 		follow(p_node, p_transform);
 	}
 	drop_hooked_shaders();
-	_properties.hook.hand_on(setter());
+	_properties.hook.hand_on(_set);
 	return true;
 }
 
@@ -89,8 +89,8 @@ void StandingField::show_part(const Look &p_look) {
 			set_plants();
 			break;
 		case Part::UNIFORMS:
-			_uniforms.set_all(_properties, _field.get_setup(), uniform_setter(true));
-			set_wind_clock();
+			_uniforms.set_all(_properties, _field.get_setup(), _set);
+			_uniforms.set_wind_clock(_set);
 			break;
 		case Part::SPECIES:
 			set_species_uniforms();

@@ -69,7 +69,7 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	const uint64_t has_shader = Time::get_singleton()->get_ticks_msec();
 	r_pipeline.make(made.shader);
 	if (!r_pipeline.pipeline.is_valid() && made.from == PassShaders::From::FILE) { // the driver has changed since
-		made = _shaders.make_again(r_pipeline.code);
+		made = _shaders.translate(r_pipeline.code, p_is_worker);
 		r_pipeline.make(made.shader);
 	}
 	UtilityFunctions::print_verbose(vformat("GrassField: compiled '%s', shader %s in %d ms, pipeline in %d ms", r_pipeline.code.name,

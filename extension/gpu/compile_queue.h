@@ -15,7 +15,6 @@
 #include <mutex>
 #include <span>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace grass {

@@ -63,8 +63,6 @@ public:
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
 	// Queues p_code, once. Returns whether its pipeline is done.
 	static bool prepare(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Returns the name of p_code if the driver has refused it, otherwise null. On any thread.
-	static const char *find_refused(const PassCode &p_code) { return CompileQueue::get().is_refused(p_code) ? p_code.name : nullptr; }
 	// Sets what the pass binds at p_binding of set 0. dispatch() notices a change.
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);

@@ -7,6 +7,10 @@
 #include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 namespace grass {
 
 namespace {
@@ -62,7 +66,7 @@ void begin_passes(const FieldPasses &p_passes) {
 	}
 	GpuPass::prepare(CULL_CODE, Need::WANTED);
 	if (p_passes.has_plants) {
-		PlantPasses::prepare(p_passes.is_mapped, Need::WANTED);
+		GpuPass::prepare(PlantPasses::code(p_passes.is_mapped), Need::WANTED);
 	}
 	GpuPass::prepare(simulate_code(p_passes.kind, SlotPass::PLAIN), Need::WANTED);
 }
@@ -96,13 +100,12 @@ bool can_join(const PassKind &p_kind) {
 }
 
 const char *find_refused(const FieldPasses &p_passes) {
-	for (const PassCode &code : { CULL_CODE, simulate_code(p_passes.kind, SlotPass::PLAIN) }) {
-		if (CompileQueue::get().is_refused(code)) {
-			return code.name;
-		}
+	std::vector<PassCode> needed{ CULL_CODE, simulate_code(p_passes.kind, SlotPass::PLAIN), KnotReader::CODE };
+	if (p_passes.has_plants) {
+		needed.push_back(PlantPasses::code(p_passes.is_mapped));
 	}
-	const char *gather = KnotReader::find_refused();
-	return gather != nullptr || !p_passes.has_plants ? gather : PlantPasses::find_refused(p_passes.is_mapped);
+	const auto refused = std::ranges::find_if(needed, [](const PassCode &p_code) { return CompileQueue::get().is_refused(p_code); });
+	return refused == needed.end() ? nullptr : refused->name;
 }
 
 } // namespace grass

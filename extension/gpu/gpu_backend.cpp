@@ -5,7 +5,6 @@
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
-#include "gpu/render_queue.h"
 #include "shared/convert.h"
 
 #include <algorithm>
@@ -79,15 +78,15 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("is_listed", true);
 	_materials.set("drawn_tiles", _drawn_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture,
-											   drawn = _drawn_texture] { field->create(setup, patch->get_rid(), pool, drawn); });
+	post([setup = _setup, patch = _patch_texture, pool = _pool_texture, drawn = _drawn_texture](
+				 GpuField &r_field) { r_field.create(setup, patch->get_rid(), pool, drawn); });
 }
 
 GpuBackend::~GpuBackend() {
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture
-	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
+	post([multimeshes = multimeshes()](GpuField &r_field) { r_field.free(multimeshes); });
 }
 
 void GpuBackend::set_look(const Look &p_look) {
@@ -107,7 +106,7 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_passes = kind_of(p_setup) == kind_of(_setup) || prepare_passes(kind_of(p_setup));
-	const bool has_plants = !p_setup.has_plants || PlantPasses::prepare(p_setup.is_mapped);
+	const bool has_plants = !p_setup.has_plants || GpuPass::prepare(PlantPasses::code(p_setup.is_mapped));
 	return has_passes && has_plants && prepare_patch(p_setup.patch);
 }
 
@@ -140,8 +139,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_next_patch_texture.unref();
 	_next_patch.reset();
 	set_bounds(field_bounds(_setup));
-	RenderQueue::get_singleton()->post(
-			[field = _field, setup = _setup, patch = _patch_texture] { field->set_field(setup, patch->get_rid()); });
+	post([setup = _setup, patch = _patch_texture](GpuField &r_field) { r_field.set_field(setup, patch->get_rid()); });
 	return true;
 }
 
@@ -152,51 +150,46 @@ bool GpuBackend::is_complete() const {
 void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
 	_steps++;
-	RenderQueue::get_singleton()->post([field = _field, records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure] {
-		field->step(records, measure);
-	});
+	post([records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure](
+				 GpuField &r_field) { r_field.step(records, measure); });
 }
 
 void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
-	RenderQueue::get_singleton()->post(
-			[field = _field, slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step] { field->join(slots, step); });
+	post([slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step](GpuField &r_field) { r_field.join(slots, step); });
 }
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	_setup.pool_size = p_slots;
 	_share = -1.0f; // the next frame mixes again, if frames do
-	RenderQueue::get_singleton()->post([field = _field, p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end())] {
-		field->resize_pool(p_slots, moves);
-	});
+	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end())](
+				 GpuField &r_field) { r_field.resize_pool(p_slots, moves); });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
 	ViewRecords view = to_records(p_view, _setup);
 	view.painted = _painted;
 	view.plant_reach = p_view.plant_reach;
-	RenderQueue::get_singleton()->post([field = _field, records = std::move(view), multimeshes = multimeshes(), measure = _measure] {
-		field->draw(records, multimeshes, measure);
-	});
+	post([records = std::move(view), multimeshes = multimeshes(), measure = _measure](
+				 GpuField &r_field) { r_field.draw(records, multimeshes, measure); });
 }
 
 void GpuBackend::show_between(bool p_is_between, float p_share) {
 	if (_is_between != p_is_between) {
 		_is_between = p_is_between;
 		_share = -1.0f; // no frame has shown a mix yet
-		RenderQueue::get_singleton()->post([field = _field, p_is_between] { field->set_between(p_is_between); });
+		post([p_is_between](GpuField &r_field) { r_field.set_between(p_is_between); });
 	}
 	if (_is_between && _steps > 0 && (_has_stepped || _share != p_share)) {
 		_share = p_share;
 		_has_stepped = true; // the blades of this frame have moved, also for motion vectors
-		RenderQueue::get_singleton()->post([field = _field, p_share] { field->mix(p_share); });
+		post([p_share](GpuField &r_field) { r_field.mix(p_share); });
 	}
 }
 
 void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
 	if (_has_motion != p_is_read) {
 		_has_motion = p_is_read;
-		RenderQueue::get_singleton()->post(
-				[field = _field, texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()] { field->set_motion(texture); });
+		post([texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()](GpuField &r_field) { r_field.set_motion(texture); });
 		set_uniform("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
 		set_bounds(_bounds);
 	}
@@ -232,7 +225,7 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	if (p_changed.count() > 0) { // whole rows, with a single copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
-		RenderQueue::get_singleton()->post([field = _field, first, bytes = to_bytes(tiles)] { field->set_cover(first, bytes); });
+		post([first, bytes = to_bytes(tiles)](GpuField &r_field) { r_field.set_cover(first, bytes); });
 	}
 }
 
@@ -263,24 +256,16 @@ BackendStatistics GpuBackend::get_statistics() {
 	return statistics;
 }
 
-int64_t GpuBackend::get_shared_memory() const {
-	return int64_t(_setup.patch->texels.size()) * 2; // as a texture
-}
-
-int64_t GpuBackend::get_pool_memory() const {
-	std::lock_guard lock(_report->mutex);
-	return _report->statistics.pool_bytes;
-}
-
-int64_t GpuBackend::get_pool_tile_memory() const {
-	return GpuField::find_pool_tile_bytes(_is_between);
-}
-
-int64_t GpuBackend::get_memory_usage() const {
+BackendMemory GpuBackend::get_memory() const {
+	BackendMemory memory;
+	memory.shared = int64_t(_setup.patch->texels.size()) * 2; // as a texture
+	memory.pool_tile = GpuField::find_pool_tile_bytes(_is_between);
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_LISTED_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
-	return get_shared_memory() + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) +
+	memory.pool = _report->statistics.pool_bytes;
+	memory.all = memory.shared + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) +
 			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
+	return memory;
 }
 
 } // namespace grass

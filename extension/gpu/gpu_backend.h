@@ -11,9 +11,12 @@
 #include "gpu/field_passes.h"
 #include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
+#include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/texture2drd.hpp>
+
+#include <utility>
 
 namespace grass {
 
@@ -53,13 +56,14 @@ public:
 	void read_asked(const SlotOf &p_slot_of) override;
 	EnergyReport read_energy() override;
 	BackendStatistics get_statistics() override;
-	int64_t get_memory_usage() const override;
-	int64_t get_shared_memory() const override;
-	int64_t get_pool_memory() const override;
-	int64_t get_pool_tile_memory() const override;
+	BackendMemory get_memory() const override;
 	const char *get_name() const override { return "GPU"; }
 
 private:
+	// Runs p_job(field) on the render thread. What it captures must be a copy.
+	template <typename F> void post(F &&p_job) {
+		RenderQueue::get_singleton()->post([field = _field, job = std::forward<F>(p_job)]() mutable { job(*field); });
+	}
 	FieldMultiMeshes multimeshes() const;
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);

@@ -2,7 +2,6 @@
 // What GpuBackend does for scripts that ask where blades are.
 #include "gpu/gpu_backend.h"
 #include "gpu/gpu_field.h"
-#include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -40,9 +39,8 @@ void GpuBackend::read_asked(const SlotOf &p_slot_of) {
 	std::vector<WantedBlade> blades = _watch.begin_read(_steps, p_slot_of);
 	if (!blades.empty()) {
 		_knots_read += int64_t(blades.size());
-		RenderQueue::get_singleton()->post([field = _field, wanted = std::move(blades), step = _steps, report = _knot_report]() mutable {
-			field->get_reader().read_later(std::move(wanted), step, report);
-		});
+		post([wanted = std::move(blades), step = _steps, report = _knot_report](
+					 GpuField &r_field) mutable { r_field.get_reader().read_later(std::move(wanted), step, report); });
 	}
 }
 
@@ -52,7 +50,7 @@ std::vector<SimulatedKnots> GpuBackend::wait_for_knots(std::span<const WantedBla
 	auto numbers = std::make_shared<std::vector<float>>();
 	if (!awake.empty()) {
 		_knot_waits++;
-		RenderQueue::get_singleton()->post([field = _field, numbers, awake] { *numbers = field->get_reader().read_now(awake); });
+		post([numbers, awake](GpuField &r_field) { *numbers = r_field.get_reader().read_now(awake); });
 		RenderingServer::get_singleton()->force_sync(); // where the render thread is another one, it owns `numbers` until then
 	}
 	std::vector<SimulatedKnots> found(p_blades.size());

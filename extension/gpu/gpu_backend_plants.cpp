@@ -3,7 +3,6 @@
 #include "draw/patch_texture.h"
 #include "gpu/gpu_backend.h"
 #include "gpu/gpu_field.h"
-#include "gpu/render_queue.h"
 
 #include <algorithm>
 
@@ -41,7 +40,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	if (_plants.is_empty() && !has_any) {
 		return;
 	}
-	RenderQueue::get_singleton()->post([field = _field, setup = _setup] { field->set_plants(setup, {}); }); // while they are still there
+	post([setup = _setup](GpuField &r_field) { r_field.set_plants(setup, {}); }); // while they are still there
 	std::vector<int> rooms;
 	for (const DrawnPlant &plant : p_plants) {
 		rooms.push_back(plant_room(_setup, plant));
@@ -58,7 +57,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 		targets.push_back({ plant->instance.multimesh(), plant->species, plant->instance.capacity(), int(plant->materials.size()),
 				plant->drawn.kind(_setup.grid.get_tile_size()) });
 	}
-	RenderQueue::get_singleton()->post([field = _field, setup = _setup, targets] { field->set_plants(setup, targets); });
+	post([setup = _setup, targets](GpuField &r_field) { r_field.set_plants(setup, targets); });
 }
 
 } // namespace grass

@@ -13,7 +13,6 @@ namespace grass {
 
 namespace {
 
-const PassCode GATHER = { shader::GATHER_SPIRV, "GrassField gather", PassOrder::GATHER };
 constexpr int64_t BLADE_BYTES = KNOT_NUMBERS * int64_t(sizeof(float));
 
 std::vector<float> to_floats(const PackedByteArray &p_data) {
@@ -26,12 +25,10 @@ std::vector<float> to_floats(const PackedByteArray &p_data) {
 
 } // namespace
 
-const char *KnotReader::find_refused() {
-	return GpuPass::find_refused(GATHER);
-}
+const PassCode KnotReader::CODE = { shader::GATHER_SPIRV, "GrassField gather", PassOrder::GATHER };
 
 void KnotReader::create() {
-	_pass.create(GATHER, GpuPass::Compile::LATER);
+	_pass.create(CODE, GpuPass::Compile::LATER);
 }
 
 void KnotReader::bind(const RID &p_knots, const RID &p_halves) {

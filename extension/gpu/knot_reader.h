@@ -18,7 +18,8 @@ struct KnotReport {
 
 class KnotReader {
 public:
-	static const char *find_refused(); // the name of its pass if the driver has refused it, otherwise null; on any thread
+	static const PassCode CODE;
+
 	void create(); // the driver may still be compiling its pass when this returns
 	// Sets the pool's buffers: positions of all knots, and which half has the current ones.
 	void bind(const godot::RID &p_knots, const godot::RID &p_halves);

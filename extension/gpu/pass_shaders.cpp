@@ -27,10 +27,6 @@ PassShaders::Made PassShaders::make(const PassCode &p_code, bool p_is_worker) {
 	return translate(p_code, p_is_worker);
 }
 
-PassShaders::Made PassShaders::make_again(const PassCode &p_code) {
-	return translate(p_code, true);
-}
-
 PassShaders::Made PassShaders::translate(const PassCode &p_code, bool p_is_worker) {
 	Ref<RDShaderSPIRV> spirv;
 	spirv.instantiate();

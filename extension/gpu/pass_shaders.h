@@ -25,14 +25,13 @@ public:
 
 	// p_is_worker: the caller is the worker thread, which may use files.
 	Made make(const PassCode &p_code, bool p_is_worker);
-	// Translates code whose file could not be used. Called on the worker thread.
-	Made make_again(const PassCode &p_code);
+	// Does the same without the files.
+	Made translate(const PassCode &p_code, bool p_is_worker);
 	// Frees the shaders and their pipelines. Nothing may be compiled any more.
 	void free();
 
 private:
 	godot::RID keep(const PassCode &p_code, const godot::RID &p_shader);
-	Made translate(const PassCode &p_code, bool p_is_worker);
 
 	std::mutex _mutex;
 	std::map<const uint32_t *, godot::RID> _shaders; // by code; guarded by _mutex

@@ -30,12 +30,8 @@ int side_of(int p_tiles, double p_distance, double p_tile_size) {
 
 } // namespace
 
-bool PlantPasses::prepare(bool p_is_mapped, Need p_need) {
-	return GpuPass::prepare(p_is_mapped ? MAPPED : PLAIN, p_need);
-}
-
-const char *PlantPasses::find_refused(bool p_is_mapped) {
-	return GpuPass::find_refused(p_is_mapped ? MAPPED : PLAIN);
+const PassCode &PlantPasses::code(bool p_is_mapped) {
+	return p_is_mapped ? MAPPED : PLAIN;
 }
 
 void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets) {
@@ -59,7 +55,7 @@ void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> 
 	_counts.resize(GRASS_MAX_SPECIES * 4);
 	for (const PlantTarget &target : p_targets) {
 		_targets.push_back({ target, std::make_unique<GpuPass>() });
-		_targets.back().pass->create(_is_mapped ? MAPPED : PLAIN);
+		_targets.back().pass->create(code(_is_mapped));
 	}
 }
 

@@ -34,10 +34,7 @@ struct PlantTarget {
 
 class PlantPasses {
 public:
-	// Lets worker threads prepare the pass of such a field. Returns whether it is ready.
-	static bool prepare(bool p_is_mapped, Need p_need = Need::PREPARED);
-	// Returns the name of that pass if the driver has refused it, otherwise null. On any thread.
-	static const char *find_refused(bool p_is_mapped);
+	static const PassCode &code(bool p_is_mapped); // of a field with or without a map
 	// p_setup: must have several species; it is not read if there are no targets.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }

@@ -5,8 +5,6 @@
 
 #include "gpu/device.h"
 
-#include <span>
-
 namespace grass {
 
 class PoolMix {

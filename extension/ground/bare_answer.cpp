@@ -48,13 +48,13 @@ BareAnswer explain_field(
 	return {};
 }
 
-struct RuleWords {
+struct Words {
 	BareReason reason;
 	String text;
 	Node3D *node = nullptr;
 };
 
-RuleWords words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller &r_filler) {
+Words words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller &r_filler) {
 	const auto limits = [&](FillParamId p_min, FillParamId p_max, const char *p_what) {
 		const String unit = String::utf8(FILL_PARAMS[p_min].unit);
 		return vformat("%s of %s %s (`%s` %s, `%s` %s)", p_what, rounded(p_cause.value, 1), unit, FILL_PARAMS[p_min].name,
@@ -96,56 +96,48 @@ String standing_words(const BareAnswer &p_answer) {
 	return vformat("Grass of %d cm grows here", percent(p_answer.height));
 }
 
+// p_rule: that fills the map; null: none.
+Words words_of(const BareCause &p_cause, const PaintMap &p_map, const FillRule *p_rule, FieldFiller &r_filler) {
+	switch (p_cause.kind) {
+		case BareKind::MAP:
+			return { BareReason::MAP,
+				vformat("the map has a density of %s (not painted; `base_density` is %s)", rounded(p_cause.share, 2),
+						rounded(p_map.get_base_density(), 2)) };
+		case BareKind::PAINTED:
+			return { BareReason::PAINTED, vformat("painted to a density of %s", rounded(p_cause.share, 2)) };
+		case BareKind::WORN:
+			return { BareReason::WORN, "it is trampled" };
+		case BareKind::SHORT:
+			return { BareReason::SHORT, vformat("painted to %d %% of its height", percent(p_cause.share)) };
+		case BareKind::CUT:
+			return { BareReason::CUT, vformat("cut at %d cm", percent(p_cause.value)) };
+		case BareKind::HOLE:
+			return { BareReason::HOLE, "the terrain has a hole here" };
+		case BareKind::LEDGE:
+			return { BareReason::LEDGE, "it is at the edge of a ledge, or on its face (`ledge_slope`)" };
+		default:
+			break;
+	}
+	Words words = words_of(p_cause.rule, *p_rule, r_filler);
+	const String left = p_cause.rule.share > 0.0 ? vformat("%d %%", percent(p_cause.rule.share)) : String("none");
+	words.text = vformat("`fill_rule` leaves %s because of %s", left, words.text);
+	return words;
+}
+
 // Explains the place by the map.
 void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_filler, const FieldFiller::Place &p_fill, const PaintMap &p_map,
 		const Eigen::Vector2d &p_at) {
-	const auto rule = r_filler.gather(p_fill);
+	const auto gathered = r_filler.gather(p_fill);
+	const FillRule *rule = gathered ? &gathered->rule : nullptr;
 	const GrassKind kind = kind_of(p_field);
 	const double height = kind.height_at ? kind.height_at(p_at) : kind.height;
-	const BareCause cause = find_bare_cause(p_map, rule ? &rule->rule : nullptr, rule ? rule->sources : FillSources(), p_at, height);
-	if (cause.share >= FULL) {
-		return;
+	const BareCause cause = find_bare_cause(p_map, rule, gathered ? gathered->sources : FillSources(), p_at, height);
+	if (cause.share < FULL) {
+		const Words words = words_of(cause, p_map, rule, r_filler);
+		r_answer.reason = words.reason;
+		r_answer.node = words.node;
+		r_answer.text = vformat("%s: %s.", standing_words(r_answer), words.text);
 	}
-	String why;
-	switch (cause.kind) {
-		case BareKind::MAP:
-			r_answer.reason = BareReason::MAP;
-			why = vformat("the map has a density of %s (not painted; `base_density` is %s)", rounded(cause.share, 2),
-					rounded(p_map.get_base_density(), 2));
-			break;
-		case BareKind::PAINTED:
-			r_answer.reason = BareReason::PAINTED;
-			why = vformat("painted to a density of %s", rounded(cause.share, 2));
-			break;
-		case BareKind::WORN:
-			r_answer.reason = BareReason::WORN;
-			why = "it is trampled";
-			break;
-		case BareKind::SHORT:
-			r_answer.reason = BareReason::SHORT;
-			why = vformat("painted to %d %% of its height", percent(cause.share));
-			break;
-		case BareKind::CUT:
-			r_answer.reason = BareReason::CUT;
-			why = vformat("cut at %d cm", percent(cause.value));
-			break;
-		case BareKind::HOLE:
-			r_answer.reason = BareReason::HOLE;
-			why = "the terrain has a hole here";
-			break;
-		case BareKind::LEDGE:
-			r_answer.reason = BareReason::LEDGE;
-			why = "it is at the edge of a ledge, or on its face (`ledge_slope`)";
-			break;
-		default: {
-			const RuleWords words = words_of(cause.rule, rule->rule, r_filler);
-			r_answer.reason = words.reason;
-			r_answer.node = words.node;
-			const String left = cause.rule.share > 0.0 ? vformat("%d %%", percent(cause.rule.share)) : String("none");
-			why = vformat("`fill_rule` leaves %s because of %s", left, words.text);
-		}
-	}
-	r_answer.text = vformat("%s: %s.", standing_words(r_answer), why);
 }
 
 // Explains a place above or below the field's band.

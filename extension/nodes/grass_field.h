@@ -12,7 +12,6 @@
 #include "field/other_light.h"
 #include "field/plant_nodes.h"
 #include "field/standing_field.h"
-#include "ground/bare_answer.h"
 #include "ground/field_filler.h"
 #include "ground/field_terrain.h"
 #include "nodes/field_monitors.h"
@@ -58,32 +57,6 @@ public:
 		DEBUG_VIEW_DENSITY = GRASS_DEBUG_DENSITY,
 		DEBUG_VIEW_COST = GRASS_DEBUG_COST,
 		DEBUG_VIEW_SIMULATED = GRASS_DEBUG_SIMULATED,
-	};
-
-	enum Reason : int64_t { // see explain()
-		REASON_NONE = int64_t(BareReason::NONE),
-		REASON_NOT_MADE = int64_t(BareReason::NOT_MADE),
-		REASON_HIDDEN = int64_t(BareReason::HIDDEN),
-		REASON_OUTSIDE = int64_t(BareReason::OUTSIDE),
-		REASON_LAYERS = int64_t(BareReason::LAYERS),
-		REASON_TOO_FAR = int64_t(BareReason::TOO_FAR),
-		REASON_NO_ROOM = int64_t(BareReason::NO_ROOM),
-		REASON_MAP = int64_t(BareReason::MAP),
-		REASON_PAINTED = int64_t(BareReason::PAINTED),
-		REASON_FILL_DENSITY = int64_t(BareReason::FILL_DENSITY),
-		REASON_FILL_MASK = int64_t(BareReason::FILL_MASK),
-		REASON_FILL_MESH = int64_t(BareReason::FILL_MESH),
-		REASON_FILL_SLOPE = int64_t(BareReason::FILL_SLOPE),
-		REASON_FILL_HEIGHT = int64_t(BareReason::FILL_HEIGHT),
-		REASON_FILL_NOISE = int64_t(BareReason::FILL_NOISE),
-		REASON_FILL_NODE = int64_t(BareReason::FILL_NODE),
-		REASON_WORN = int64_t(BareReason::WORN),
-		REASON_SHORT = int64_t(BareReason::SHORT),
-		REASON_CUT = int64_t(BareReason::CUT),
-		REASON_HOLE = int64_t(BareReason::HOLE),
-		REASON_FILL_TEXTURE = int64_t(BareReason::FILL_TEXTURE),
-		REASON_LEDGE = int64_t(BareReason::LEDGE),
-		REASON_LEVEL = int64_t(BareReason::LEVEL),
 	};
 
 	GrassField();
@@ -220,7 +193,7 @@ protected:
 	void _get_property_list(godot::List<godot::PropertyInfo> *r_list) const;
 
 private:
-	// grass_field.cpp: the node's life cycle, its ticks and its frames
+	// grass_field.cpp and _tick.cpp: the node's life cycle, its frames and its ticks
 	void enter();
 	bool belongs_here() const;
 	void turn();
@@ -317,4 +290,3 @@ VARIANT_ENUM_CAST(grass::GrassField::SimulationDetail);
 VARIANT_ENUM_CAST(grass::GrassField::SleepMode);
 VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
 VARIANT_ENUM_CAST(grass::GrassField::DebugView);
-VARIANT_ENUM_CAST(grass::GrassField::Reason);

@@ -37,14 +37,10 @@ int64_t GrassField::get_memory_usage() const {
 
 FieldMemory GrassField::find_memory() const {
 	FieldMemory memory;
-	memory.all = get_memory_usage() + (_properties.map.is_valid() ? _properties.map->get_memory_usage() : 0);
 	if (_standing.stands()) {
-		const Backend &backend = *_standing.get_backend();
-		memory.patch = _standing.get_field().get_setup().patch.get();
-		memory.shared = backend.get_shared_memory();
-		memory.pool = backend.get_pool_memory();
-		memory.pool_tile = backend.get_pool_tile_memory();
+		memory = { _standing.get_backend()->get_memory(), _standing.get_field().get_setup().patch.get() };
 	}
+	memory.all = get_memory_usage() + (_properties.map.is_valid() ? _properties.map->get_memory_usage() : 0);
 	return memory;
 }
 

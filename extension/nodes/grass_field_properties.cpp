@@ -178,8 +178,7 @@ bool is_species_property(const StringName &p_name) {
 
 // Keeps scenes and scripts of 0.9.0 working: a field without species gets one with the value. A field with species never used the value.
 bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
-	Variant now;
-	const bool is_hooks = _properties.hook.get_property(p_name, now);
+	const bool is_hooks = FieldHook::is_property(p_name);
 	if (!is_hooks && !is_species_property(p_name)) {
 		return false;
 	}
@@ -205,10 +204,7 @@ bool GrassField::_get(const StringName &p_name, Variant &r_value) const {
 		return false;
 	}
 	GRASS_MAIN_THREAD_ONLY_V(false);
-	if (!is_species) {
-		return _properties.hook.get_property(p_name, r_value);
-	}
-	r_value = _properties.species.find_used().front()->get(p_name);
+	r_value = is_species ? _properties.species.find_used().front()->get(p_name) : _properties.hook.get_property(p_name);
 	return true;
 }
 

@@ -2,6 +2,7 @@
 // What scripts ask of GrassField: tiles, blades, the grass at a place. Each method checks its arguments and passes them on.
 #include "nodes/grass_field.h"
 
+#include "ground/bare_answer.h"
 #include "shared/main_thread.h"
 
 #include <godot_cpp/classes/viewport.hpp>

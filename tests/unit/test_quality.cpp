@@ -62,13 +62,12 @@ TEST_CASE("quality: high is as designed, to the bit, and is what a field begins 
 	CHECK(Quality() == level(QualityLevel::HIGH));
 	CHECK(level(QualityLevel::CUSTOM) == level(QualityLevel::HIGH));
 	for (const FieldParam &param : FIELD_PARAMS) {
-		const QualityFactorId factor = factor_of(param.id);
-		if (factor == QUALITY_FACTORS) {
+		if (param.factor == QUALITY_FACTORS) {
 			continue;
 		}
 		for (const double share : { 0.0, 0.1, 1.0 / 3.0, 0.77, 1.0 }) {
 			const double value = param.tunable.minimum + share * (param.tunable.maximum - param.tunable.minimum);
-			CHECK(Quality().scale(factor, param.tunable, value) == value);
+			CHECK(Quality().scale(param.factor, param.tunable, value) == value);
 		}
 	}
 	for (const int64_t tiles : { 0, 1, 33, 4096, TileParams::MAX_POOL_SIZE }) {
@@ -78,9 +77,8 @@ TEST_CASE("quality: high is as designed, to the bit, and is what a field begins 
 
 TEST_CASE("quality: each factor has the name of what it multiplies") {
 	for (const FieldParam &param : FIELD_PARAMS) {
-		const QualityFactorId factor = factor_of(param.id);
-		if (factor != QUALITY_FACTORS) {
-			CHECK(std::string(param.tunable.name) == QUALITY_TABLE[factor].tunable.name);
+		if (param.factor != QUALITY_FACTORS) {
+			CHECK(std::string(param.tunable.name) == QUALITY_TABLE[param.factor].tunable.name);
 		}
 	}
 }

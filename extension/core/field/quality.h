@@ -70,15 +70,15 @@ struct Quality {
 	bool operator==(const Quality &) const = default;
 };
 
-// The table is indexed by id.
-consteval bool is_quality_in_order() {
-	for (size_t i = 0; i < QUALITY_TABLE.size(); i++) {
-		if (size_t(QUALITY_TABLE[i].id) != i) {
+// Returns whether a table of p_count entries can be indexed by their ids.
+template <typename Table> consteval bool is_indexed_by_id(const Table &p_table, size_t p_count) {
+	for (size_t i = 0; i < p_table.size(); i++) {
+		if (size_t(p_table[i].id) != i) {
 			return false;
 		}
 	}
-	return QUALITY_TABLE.size() == QUALITY_FACTORS;
+	return p_table.size() == p_count;
 }
-static_assert(is_quality_in_order());
+static_assert(is_indexed_by_id(QUALITY_TABLE, QUALITY_FACTORS));
 
 } // namespace grass
