@@ -11,7 +11,7 @@ using namespace grass::test;
 namespace {
 
 constexpr Roll ROLLS[] = { { 0.0f, false, 0.0f }, { 0.0f, false, 0.5f }, { 0.0f, true, 0.0f }, { 0.0f, true, 0.5f } };
-constexpr Stepping LIMIT{ 2880.0, 4, CONTACT_RATE.initial };
+constexpr Stepping LIMIT{ 1440.0, 4, CONTACT_RATE.initial }; // a multiple of every rate below
 
 } // namespace
 
