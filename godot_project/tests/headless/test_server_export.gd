@@ -119,7 +119,6 @@ func test_a_server_that_was_stripped_grows_the_same_grass() -> void:
 	assert_eq(server, [1.0, 0.0, true, true, false, 1.0, 0.0, true, true, false], "the server; " + exported[0].right(400))
 	assert_true(exported[0].contains("The mask of the GrassFillRule 'res://noise.tres' has no picture"), exported[0].right(400))
 	assert_eq(exported[0].count("has no picture while"), 1)
-	save_mask(4)
-	run(["--path", folder, "--import"])
+	save_mask(4)  # the export imports it
 	server = export_and_ask(folder, exported)
 	assert_eq(server, [0.0, 1.0, true, true, false, 0.0, 1.0, true, true, false], "with another picture; " + exported[1].right(400))
