@@ -5,14 +5,18 @@
 //   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
 //                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_TILES is GRASS_TILES_CROWD
+//   GRASS_LAYER_LAZY=all          pipelines are made when a command first binds them
+//   GRASS_LAYER_LAZY=drawing      likewise, but those of our passes at once: how long these take is what some tests are about
 //   GRASS_LAYER_VENDOR=NUMBER     the device says that it is of this maker
 //   GRASS_LAYER_PASSES=FOLDER     of the passes' SPIR-V
 //   GRASS_LAYER_SHADERS=FOLDER    gets the vertex and fragment shaders that are made from now on: NUMBER.vertex.spv, NUMBER.fragment.spv
 #include "base/constants.inc"
+#include "lazy_pipelines.h"
 #include "pass_names.h"
 #include "vertex_numbers.h"
 #include "vulkan_interface.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -25,6 +29,7 @@ namespace {
 GetInstanceFunction next_of_instance;
 GetDeviceFunction next_of_device;
 void *last_instance;
+void *last_device;
 std::mutex mutex;
 std::map<uint64_t, std::string> passes; // of ours, by their modules; guarded by `mutex`
 
@@ -110,6 +115,19 @@ bool is_refused(const PipelineStage &p_stage) {
 	return ("," + environment("GRASS_LAYER_REFUSED") + ",").find("," + name + ",") != std::string::npos;
 }
 
+bool is_lazy() {
+	static const bool is = !environment("GRASS_LAYER_LAZY").empty();
+	return is;
+}
+
+bool may_wait(uint32_t p_count, const ComputePipelineCreateInfo *p_infos) {
+	static const bool may_all = environment("GRASS_LAYER_LAZY") == "all";
+	std::lock_guard lock(mutex);
+	return may_all || std::none_of(p_infos, p_infos + p_count, [](const ComputePipelineCreateInfo &p_info) {
+		return passes.contains(p_info.stage.module);
+	});
+}
+
 VkResult create_compute_pipelines(void *p_device, uint64_t p_cache, uint32_t p_count, const ComputePipelineCreateInfo *p_infos,
 		const void *p_allocator, uint64_t *r_pipelines) {
 	for (uint32_t i = 0; i < p_count; i++) {
@@ -118,8 +136,36 @@ VkResult create_compute_pipelines(void *p_device, uint64_t p_cache, uint32_t p_c
 			return VK_ERROR_INITIALIZATION_FAILED;
 		}
 	}
+	if (is_lazy() && may_wait(p_count, p_infos) && make_later(p_device, next_of_device, p_count, p_infos, r_pipelines)) {
+		return VK_SUCCESS;
+	}
 	const auto create = CreateComputePipelines(next_of_device(p_device, "vkCreateComputePipelines"));
 	return create(p_device, p_cache, p_count, p_infos, p_allocator, r_pipelines);
+}
+
+VkResult create_graphics_pipelines(void *p_device, uint64_t p_cache, uint32_t p_count, const GraphicsPipelineCreateInfo *p_infos,
+		const void *p_allocator, uint64_t *r_pipelines) {
+	if (is_lazy() && make_later(p_device, next_of_device, p_count, p_infos, r_pipelines)) {
+		return VK_SUCCESS;
+	}
+	const auto create = CreateGraphicsPipelines(next_of_device(p_device, "vkCreateGraphicsPipelines"));
+	return create(p_device, p_cache, p_count, p_infos, p_allocator, r_pipelines);
+}
+
+void bind_pipeline(void *p_commands, int32_t p_kind, uint64_t p_pipeline) {
+	static const auto bind = BindPipeline(next_of_device(last_device, "vkCmdBindPipeline"));
+	bind(p_commands, p_kind, made(p_pipeline));
+}
+
+void destroy_pipeline(void *p_device, uint64_t p_pipeline, const void *p_allocator) {
+	Destroy(next_of_device(p_device, "vkDestroyPipeline"))(p_device, forget(p_pipeline), p_allocator);
+}
+
+// Pipelines that wait need their modules, which the engine thinks to be used.
+void destroy_shader_module(void *p_device, uint64_t p_module, const void *p_allocator) {
+	if (!is_lazy()) {
+		Destroy(next_of_device(p_device, "vkDestroyShaderModule"))(p_device, p_module, p_allocator);
+	}
 }
 
 // The loader's link to the next layer. It goes on to the one behind that.
@@ -178,6 +224,7 @@ VkResult create_device(void *p_physical, const Structure *p_info, const void *p_
 		const_cast<Structure *>(p_info)->next = &features.head;
 	}
 	const VkResult result = create(p_physical, p_info, p_allocator, r_device);
+	last_device = result == VK_SUCCESS ? *r_device : last_device;
 	const_cast<Structure *>(p_info)->next = p_info->next == &features.head ? features.head.next : p_info->next;
 	return result;
 }
@@ -192,6 +239,10 @@ Function own_function(const std::string &p_name) {
 		{ "vkGetPhysicalDeviceProperties", Function(get_device_properties) },
 		{ "vkCreateShaderModule", Function(create_shader_module) },
 		{ "vkCreateComputePipelines", Function(create_compute_pipelines) },
+		{ "vkCreateGraphicsPipelines", Function(create_graphics_pipelines) },
+		{ "vkCmdBindPipeline", Function(bind_pipeline) },
+		{ "vkDestroyPipeline", Function(destroy_pipeline) },
+		{ "vkDestroyShaderModule", Function(destroy_shader_module) },
 		{ "vkGetInstanceProcAddr", Function(get_instance_function) },
 		{ "vkGetDeviceProcAddr", Function(get_device_function) },
 	};

@@ -43,12 +43,12 @@ def window_arguments(method, size):
 
 
 @contextlib.contextmanager
-def window(method="forward_plus", size="1280x720", software=False, hardware=False):
+def window(method="forward_plus", size="1280x720", software=False, hardware=False, more=None):
 	"""Yields (command, environment additions) of an engine with a window.
 
 	The machine's screen and GPU are used where it has them (a GPU only with a screen), unless `software`: then, or
 	where there are none, a virtual screen and lavapipe. With `hardware` it is the GPU in any case. `software` is for tests, which draw
-	few frames of many shaders: lavapipe compiles them without optimising them.
+	few frames of many shaders: lavapipe compiles them without optimising them. `more`: further additions to the environment.
 	"""
 	virtual = software or not machine.display()
 	prefix, driver = software_vulkan() if not hardware and (virtual or not machine.gpu()) else ([], {})
@@ -57,7 +57,7 @@ def window(method="forward_plus", size="1280x720", software=False, hardware=Fals
 	with screen(own=virtual) as display:
 		on_x11 = ["--display-driver", "x11"] if virtual else []
 		command = [*prefix, machine.godot(), *on_x11, *window_arguments(method, size)]
-		yield command, {**driver, **display}
+		yield command, {**driver, **display, **(more or {})}
 
 
 def headless():

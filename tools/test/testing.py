@@ -56,20 +56,23 @@ def headless(only):
 
 
 def gpu(only, hardware):
-	where = {"size": "320x180", "software": not hardware, "hardware": hardware}
+	plain = {"size": "320x180", "software": not hardware, "hardware": hardware}
+	below = {} if hardware else drivers.build()
+	slow_passes = {**plain, "more": below and {**below, drivers.LAZY: "drawing"}}  # they take their time, as tests of that want
+	where = {**plain, "more": below and {**below, drivers.LAZY: "all"}}
 	forbidden = [(SOFTWARE, "not on the machine's GPU")] if hardware else []
 	tally = Tally()
 	for more in ((),) if only else (("--motion=no",), ("--motion=yes",)):  # those with motion vectors after all others: see runner.gd
-		with engine.window(**where) as (command, environment):
+		with engine.window(**(where if "--motion=yes" in more else slow_passes)) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only, forbidden=forbidden, more=more))
 	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
 		with engine.window(method, **where) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
-	tally.add(quitting.layer(only, where))
+	tally.add(quitting.layer(only, plain))
 	tally.add(starting.layer(only, where))
 	tally.add(stereo.layer(only, where))
 	if not hardware:
-		tally.add(drivers.layer(only))
+		tally.add(drivers.layer(only, below))
 	return tally
 
 
