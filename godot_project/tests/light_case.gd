@@ -61,7 +61,7 @@ func profile_of(image: Image) -> PackedFloat32Array:
 ## which all blades are drawn that something else does not hide, and as wide as they are.
 func references(field: GrassField, distance: float) -> Dictionary[String, float]:
 	field.lod_far = 10000.0
-	viewport.size = SIZE / (4 if distance < LOD_FAR else 2)
+	viewport.size = Vector2i(SIZE.x / 4, SIZE.y / (4 if distance < LOD_FAR else 2))
 	viewport.msaa_3d = Viewport.MSAA_4X
 	camera.far = 1.3 * distance + 2.0
 	camera.fov = maxf(rad_to_deg(2.0 * atan(0.5 * WINDOW / distance)), 1.0)

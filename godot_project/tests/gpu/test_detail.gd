@@ -3,6 +3,7 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
+const FLIGHT_SIZE := Vector2i(96, 108)  # many pictures: narrow ones
 const BLOCK := 12  # pixels a side: a jump of one tile is lost in the mean of a whole picture, not in that of a block
 const STEPS := 24
 const STEP := 0.002  # metres a frame
@@ -17,16 +18,16 @@ func before() -> void:
 
 ## Mean difference of two pictures, and the greatest mean of a block, 0..1.
 func change(a: Image, b: Image) -> Vector2:
-	var blocks := SIZE / BLOCK
+	var blocks := FLIGHT_SIZE / BLOCK
 	a.convert(Image.FORMAT_RGB8)
 	b.convert(Image.FORMAT_RGB8)
 	var sums := PackedFloat32Array()
 	sums.resize(blocks.x * blocks.y)
 	var one := a.get_data()
 	var other := b.get_data()
-	for y in SIZE.y:
-		for x in SIZE.x:
-			var at := 3 * (x + SIZE.x * y)
+	for y in FLIGHT_SIZE.y:
+		for x in FLIGHT_SIZE.x:
+			var at := 3 * (x + FLIGHT_SIZE.x * y)
 			sums[x / BLOCK + blocks.x * (y / BLOCK)] += (
 				absf(one[at] - other[at]) + absf(one[at + 1] - other[at + 1]) + absf(one[at + 2] - other[at + 2])
 			)
@@ -35,7 +36,7 @@ func change(a: Image, b: Image) -> Vector2:
 	for block in sums:
 		sum += block
 		most = maxf(most, block)
-	return Vector2(sum / (SIZE.x * SIZE.y), most / (BLOCK * BLOCK)) / (3.0 * 255.0)
+	return Vector2(sum / (FLIGHT_SIZE.x * FLIGHT_SIZE.y), most / (BLOCK * BLOCK)) / (3.0 * 255.0)
 
 
 ## Changes from frame to frame of a flight over the field, or of the two steps in the middle of it. `at_half` is called there.
@@ -63,6 +64,8 @@ func greatest(changes: PackedVector2Array) -> Vector2:
 
 
 func test_a_slow_flight_shows_no_jump() -> void:
+	viewport.size = viewport.size * FLIGHT_SIZE / SIZE
+	picture_size = FLIGHT_SIZE
 	var field := add_seen_field({size = Vector2(8, 8)})
 	var coarse := await fly()
 	var drawn_coarse: int = field.get_statistics().drawn_triangles

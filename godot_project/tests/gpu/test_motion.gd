@@ -4,7 +4,7 @@ extends "res://tests/view_case.gd"
 
 const MOTION_VECTORS := true  # see runner.gd
 const SIZE := Vector2i(384, 216)
-const LARGE := Vector2i(1152, 648)  # TAA blurs blades of a pixel, moving or not
+const LARGE := Vector2i(576, 648)  # TAA blurs blades of a pixel, moving or not
 const ROW := 108  # of the picture, where a blade's motion is measured
 
 

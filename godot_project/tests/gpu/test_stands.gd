@@ -20,7 +20,7 @@ var world: WorldEnvironment
 
 
 func before() -> void:
-	open_view(Vector2i(640, 360), 2)
+	open_view(Vector2i(320, 360), 2)
 	DirAccess.make_dir_recursive_absolute(PICTURES)
 	sun = DirectionalLight3D.new()
 	sun.rotation_degrees = Vector3(-45, 60, 0)
