@@ -30,10 +30,10 @@ void move_bodies(std::span<ColliderShape> r_bodies, std::mt19937 &r_random, doub
 	for (ColliderShape &body : r_bodies) {
 		const bool is_placed = p_is_first || r_random() % 50 == 0;
 		body.type = is_placed ? int(r_random() % 4) : body.type;
-		body.size = is_placed ? Eigen::Vector3d(size(r_random), size(r_random), size(r_random)) : body.size;
+		body.size = is_placed ? Eigen::Vector3d{ size(r_random), size(r_random), size(r_random) } : body.size;
 		body.before = body.now;
-		body.now.position += Eigen::Vector3d(move(r_random), 0.0, move(r_random));
-		body.now.position = is_placed ? Eigen::Vector3d(place(r_random), 0.5, place(r_random)) : body.now.position;
+		body.now.position += Eigen::Vector3d{ move(r_random), 0.0, move(r_random) };
+		body.now.position = is_placed ? Eigen::Vector3d{ place(r_random), 0.5, place(r_random) } : body.now.position;
 		body.before = is_placed ? body.now : body.before;
 		body.stamp = 0;
 	}
@@ -101,14 +101,14 @@ TEST_CASE("tiles: the same storm twice gives the same records, bit for bit, and 
 }
 
 TEST_CASE("tiles: threads choose for a crowd what one does") {
+	const TileGrid grid = TileGrid::make(60.0, 60.0, 256.0);
 	int pool_size = 0;
 	SUBCASE("more than the pool holds") {
 		pool_size = 300;
 	}
 	SUBCASE("and with room for all") {
-		pool_size = 8000;
+		pool_size = grid.get_tiles_x() * grid.get_tiles_z();
 	}
-	const TileGrid grid = TileGrid::make(60.0, 60.0, 256.0);
 	TileManager alone = make_manager(pool_size, grid), together = make_manager(pool_size, grid);
 	std::vector<ColliderShape> bodies(500);
 	std::mt19937 random(3);
