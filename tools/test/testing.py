@@ -110,7 +110,8 @@ def editor(only):
 	if not all(tests.values()):
 		tally.add(in_engine("editor", *engine.headless(), only, more=("--drawn=no",), may_be_none=False, **start))
 	if any(tests.values()):
-		with engine.window(size="1280x720" if only else "1024x600", software=True) as (command, environment):
+		lazy = {**drivers.build(), drivers.LAZY: "all"}
+		with engine.window(size="1280x720" if only else "1024x600", software=True, more=lazy) as (command, environment):
 			tally.add(in_engine("editor", command, environment, only, more=("--drawn=yes",), may_be_none=False, **start))
 	return tally
 
@@ -136,21 +137,21 @@ class Layer:
 # In the order in which they are added up.
 LAYERS = {
 	"format": Layer(lambda only, _: formatting.layer(only, Tally()), None, minutes=0.3),
-	"tidy": Layer(lambda only, _: tidy.layer(only, Tally()), minutes=2.1),  # reads headers that the build makes
+	"tidy": Layer(lambda only, _: tidy.layer(only, Tally()), minutes=1.6),  # reads headers that the build makes
 	"binding": Layer(lambda only, _: binding(only), None, minutes=0.3),
-	"unit": Layer(lambda only, _: core("unit", only), "unit", minutes=3.4),  # of doctest, without the engine: a test case counts one
-	"stress": Layer(lambda only, _: core("stress", only), "stress", minutes=2),
+	"unit": Layer(lambda only, _: core("unit", only), "unit", minutes=3),  # of doctest, without the engine: a test case counts one
+	"stress": Layer(lambda only, _: core("stress", only), "stress", minutes=2.4),
 	"sanitize-short": Layer(lambda only, _: sanitize.run_short(only), None, minutes=1.3),
 	"sanitize": Layer(lambda only, _: sanitize.run(only), in_all=False),
-	"headless": Layer(lambda only, _: headless(only), minutes=2.4),
+	"headless": Layer(lambda only, _: headless(only), minutes=3.2),
 	"docs": Layer(lambda only, _: docs_tests.run(only, LAYERS), minutes=0.2),
 	"csharp": Layer(lambda only, _: csharp_tests.layer(only), minutes=0.3),
 	"drivers-quick": Layer(lambda only, _: driver_tests.run_quick(only), "shaders", minutes=0.4),
 	"drivers": Layer(lambda only, _: driver_tests.run(only), in_all=False),
-	"gpu": Layer(gpu, minutes=15),
+	"gpu": Layer(gpu, minutes=9.2),
 	"validation": Layer(lambda only, _: validation.layer(only, Tally()), minutes=0.9),
 	"editor": Layer(lambda only, _: editor(only), minutes=3.2),
-	"platforms": Layer(lambda only, _: testing_platforms.run_layer("platforms", only), minutes=3.7),
+	"platforms": Layer(lambda only, _: testing_platforms.run_layer("platforms", only), minutes=4.1),
 	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
 	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
