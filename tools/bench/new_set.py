@@ -22,6 +22,13 @@ def slug(machine):
 	return re.sub(r"[^a-z0-9]+", "-", (words or ["unknown"])[0].lower()).strip("-")
 
 
+def kept(record):
+	"""What the set keeps of a record. Its command names folders of nobody's machine: --out OUT."""
+	about = {key: record.get(key, "") for key in KEPT}
+	about["command"] = re.sub(r"--(\w+) \S*/\S*", lambda found: f"--{found[1]} {found[1].upper()}", about["command"])
+	return about
+
+
 def gathered(card, here):
 	"""{part: (its folder, its record)} of both folders; what was measured here counts only for parts that are measured here."""
 	found = {name: (card, record) for name, record in records(card).items() if name in BY_NAME and BY_NAME[name].where != HERE}
@@ -46,7 +53,7 @@ def write(card, here, folder, commit, is_quick):
 		table = f"{date}-{slug(machine)}/{name}.csv"
 		(folder / table).parent.mkdir(parents=True, exist_ok=True)
 		shutil.copyfile(place / f"{name}.csv", folder / table)
-		tables.parts[name] = {"table": table, **{key: record.get(key, "") for key in KEPT}}
+		tables.parts[name] = {"table": table, **kept(record)}
 		if BY_NAME[name].where == HERE:
 			tables.parts[name] |= {"device": "", "driver": ""}
 	add_accuracy(tables, new, is_quick)
@@ -69,7 +76,7 @@ def add_accuracy(tables, new, is_quick):
 	accuracy.write(tables.folder / "accuracy", cpu, new["accuracy"][0] if "accuracy" in new else None, is_quick)
 	for name in ("accuracy", "accuracy_cpu"):
 		if name in new:
-			tables.parts[name] = {"table": "accuracy/accuracy.csv", **{key: new[name][1].get(key, "") for key in KEPT}}
+			tables.parts[name] = {"table": "accuracy/accuracy.csv", **kept(new[name][1])}
 
 
 def write_pages(tables):

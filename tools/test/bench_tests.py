@@ -104,6 +104,7 @@ def copied(place):
 		to.mkdir(exist_ok=True)
 		shutil.copy(folder / tables.path(name), to / f"{name}.csv")
 		record = {**tables.parts[name], "part": name, "commit": COMMIT, "date": "2031-02-03", "device": "NVIDIA H200", "quick": False}
+		record["command"] = f"--only {name} --out {place} --spirv /a/b"
 		(to / f"{name}.json").write_text(json.dumps({**record, "processor": "AMD EPYC 9000", "seconds": 12.5}))
 	speeds = [f"DIRECT,swinging,{numbers},{speed},{speed / 0.5}" for numbers, speed in (("double", 0.5), ("float", 0.75))]
 	(here / "speed.csv").write_text("\n".join(["# a processor", "method,scene,numbers,million_blades_a_second,times_double", *speeds, ""]))
@@ -132,6 +133,7 @@ def one_set():
 			("folders", places, {"2031-02-03-h200", "2031-02-03-epyc"}),
 			("the set's commit", after.commit, COMMIT),
 			("seconds of a part", after.parts["draw"]["seconds"], 12.5),
+			("its command", after.parts["draw"]["command"], "--only draw --out OUT --spirv SPIRV"),
 			("lines about other commits", lines, [(COMMIT, ", ".join(others))]),
 			("such lines on the page of the paper", paper.count("Of another commit"), 0),
 			("what the page says first", f"of commit {COMMIT}, but for those" in flat, True),
