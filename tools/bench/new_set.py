@@ -23,7 +23,7 @@ def slug(machine):
 
 
 def kept(record):
-	"""What the set keeps of a record. Its command names folders of nobody's machine: --out OUT."""
+	"""What the set keeps of a record. Its command names no folder of the machine: --out OUT."""
 	about = {key: record.get(key, "") for key in KEPT}
 	about["command"] = re.sub(r"--(\w+) \S*/\S*", lambda found: f"--{found[1]} {found[1].upper()}", about["command"])
 	return about
