@@ -45,14 +45,14 @@ layout(constant_id = GRASS_CONSTANT_TILES) const uint TILES = uint(GRASS_TILES_O
 layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
 
 layout(push_constant, std430) uniform StepBlock {
-#ifdef GRASS_SPECIES
-	GrassStep field_step;
-#else
 	GrassStep step;
-#endif
 };
+// The step as this thread's blade takes it. A species' numbers are read where they are used: a copy would take registers from beginning to
+// end.
 #ifdef GRASS_SPECIES
-GrassStep step; // this thread's: with the numbers of its blade's species
+#define OWN_STEP species_steps[blade.species]
+#else
+#define OWN_STEP step
 #endif
 
 // GRASS_KNOTS, and the number of a chain's knots, but numbers that no driver knows: NVIDIA's always unrolls loops of known length, into
@@ -187,19 +187,6 @@ vec3 width_at_root() {
 shared int bend_sum[3 * GRASS_GROUP_TILES]; // of the blades of each tile, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
 
-#ifdef GRASS_SPECIES
-// The blade's species, and its step.
-void find_species() {
-	blade.species = species_of_blade();
-	GrassStep own = species_steps[blade.species];
-	step.pbd_motion = own.pbd_motion;
-	step.free_motion = own.free_motion;
-	step.load = own.load;
-	step.chain = own.chain;
-	step.energy = own.energy;
-}
-#endif
-
 // [Eq W6] The effect of forces on the blade, by the air at its root. Called in one place: each copy costs registers.
 void find_air_load() {
 	vec3 air = vec3(0.0);
@@ -211,14 +198,14 @@ void find_air_load() {
 		air += grass_force_air(force.place.w, force.blow, force.ring, force.beat, from);
 	}
 	float drag = air != vec3(0.0) ? grass_force_drag(length(air)) : 0.0;
-	float pbd = METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0;
+	float pbd = METHOD == GRASS_METHOD_PBD ? OWN_STEP.free_motion.x * OWN_STEP.free_motion.x : 1.0;
 	keep_of_blade(BLADE_AIR, vec4(air * (drag * pbd), drag));
 }
 
 void find_blade(uint p_number) {
 	blade.number = p_number;
 #ifdef GRASS_SPECIES
-	find_species();
+	blade.species = species_of_blade();
 #endif
 	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
 	float ground = find_growth(place);
@@ -322,9 +309,6 @@ void list_tiles(uvec4 p_group) {
 }
 
 void main() {
-#ifdef GRASS_SPECIES
-	step = field_step;
-#endif
 	uvec4 group = slots[uint(step.contact.w) + gl_WorkGroupID.x].group;
 	list_tiles(group);
 	if (MANY || (slots[group.x].list.w & GRASS_SLOT_RETIRED) == 0u) {
