@@ -4,7 +4,6 @@ extends "res://tests/view_case.gd"
 
 const MOTION_VECTORS := true  # see runner.gd
 const SIZE := Vector2i(384, 216)
-const LARGE := Vector2i(576, 648)  # TAA blurs blades of a pixel, moving or not
 const ROW := 108  # of the picture, where a blade's motion is measured
 
 
@@ -206,41 +205,3 @@ func test_a_tile_that_takes_the_slot_of_another() -> void:
 			farthest = maxf(farthest, vectors.at(Vector2i(roundi(here), ROW)).length())
 	assert_true(field.is_tile_awake(Vector2i.ZERO))
 	assert_less(farthest, 0.1, "pixels")
-
-
-## How sharp the picture of a meadow is with TAA, as a share of without.
-func sharpness(wind_speed: float) -> float:
-	var field := add_seen_field({size = Vector2(12, 12), wind_speed = wind_speed})
-	look(Vector3(0, 0.8, 6.5), Vector3(0, 0.2, 2))
-	await drawn()
-	var energies: Array[float] = []
-	for taa: bool in [false, true]:
-		viewport.use_taa = taa
-		await frames(20)
-		var energy := 0.0
-		for frame in 4:
-			energy += gradient_energy(await next_picture())
-		energies.append(energy)
-	field.free()
-	return energies[1] / energies[0]
-
-
-func gradient_energy(image: Image) -> float:
-	var sum := 0.0
-	for y in range(image.get_height() / 3, image.get_height() - 1):
-		for x in image.get_width() - 1:
-			var here := image.get_pixel(x, y).get_luminance()
-			var beside := image.get_pixel(x + 1, y).get_luminance() - here
-			var below := image.get_pixel(x, y + 1).get_luminance() - here
-			sum += beside * beside + below * below
-	return sum
-
-
-func test_taa_keeps_a_windy_meadow_sharp() -> void:
-	camera.compositor = null
-	viewport.size = LARGE
-	picture_size = LARGE
-	var calm := await sharpness(0.0)
-	var windy := await sharpness(12.0)
-	print("    with TAA %.3f of the sharpness stays in a calm, %.3f in a strong wind" % [calm, windy])
-	assert_greater(windy, 0.85 * calm)
