@@ -7,7 +7,6 @@
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/time.hpp>
-#include <godot_cpp/core/memory.hpp>
 
 #include <algorithm>
 #include <bit>

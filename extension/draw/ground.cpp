@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "draw/ground.h"
 
-#include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>

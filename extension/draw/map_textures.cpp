@@ -5,8 +5,6 @@
 
 #include <godot_cpp/classes/image.hpp>
 
-#include <algorithm>
-
 using namespace godot;
 
 namespace grass {

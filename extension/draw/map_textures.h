@@ -8,7 +8,6 @@
 #include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
-#include <godot_cpp/variant/variant.hpp>
 #include <godot_cpp/variant/vector2.hpp>
 
 #include <algorithm>

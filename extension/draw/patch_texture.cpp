@@ -5,7 +5,6 @@
 #include "draw/shared_shader.h"
 #include "shared/convert.h"
 
-#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 

@@ -9,7 +9,6 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
-#include <vector>
 
 using namespace godot;
 

@@ -3,7 +3,6 @@
 
 #include "core/base/cpu_clock.h"
 #include "core/fill/fill.h"
-#include "core/paint/lay_ground.h"
 #include "physics/ground_rays.h"
 #include "shared/convert.h"
 

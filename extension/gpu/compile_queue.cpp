@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/compile_queue.h"
 
-#include "core/base/layout.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>

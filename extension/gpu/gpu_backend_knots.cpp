@@ -5,8 +5,6 @@
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
-#include <utility>
-
 using namespace godot;
 
 namespace grass {

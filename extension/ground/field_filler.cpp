@@ -8,7 +8,6 @@
 #include "shared/script_call.h"
 #include "shared/watch_resource.h"
 
-#include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/core/object.hpp>
 
 using namespace godot;

@@ -10,7 +10,7 @@
 #include "shared/script_call.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
-#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/visual_instance3d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 

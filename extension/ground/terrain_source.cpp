@@ -6,8 +6,6 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
-#include <limits>
-
 using namespace godot;
 
 namespace grass {

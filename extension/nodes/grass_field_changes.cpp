@@ -6,7 +6,6 @@
 #include "shared/convert.h"
 #include "shared/editor_hooks.h"
 #include "shared/main_thread.h"
-#include "shared/property_value.h"
 #include "shared/script_call.h"
 #include "shared/watch_resource.h"
 

@@ -5,7 +5,6 @@
 #include "shared/inherited_properties.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
-#include "shared/property_value.h"
 #include "shared/script_call.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>

@@ -4,7 +4,6 @@
 #include "shared/convert.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include <algorithm>

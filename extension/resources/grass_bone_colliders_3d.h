@@ -12,7 +12,6 @@
 #include <godot_cpp/classes/skeleton3d.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
-#include <godot_cpp/variant/string_name.hpp>
 
 #include <limits>
 #include <map>

@@ -9,7 +9,6 @@
 #include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <utility>

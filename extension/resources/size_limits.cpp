@@ -4,7 +4,6 @@
 #include "shared/params.h"
 
 #include <godot_cpp/classes/project_settings.hpp>
-#include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
 

@@ -5,7 +5,6 @@
 #include "shared/bind_property.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
-#include "shared/property_value.h"
 #include "shared/script_call.h"
 
 #include <cmath>

@@ -5,9 +5,6 @@
 #include "shared/convert.h"
 #include "shared/script_call.h"
 
-#include <godot_cpp/core/memory.hpp>
-#include <godot_cpp/core/object.hpp>
-
 #include <algorithm>
 
 using namespace godot;

@@ -4,7 +4,6 @@
 #include <godot_cpp/godot.hpp>
 #include <godot_cpp/variant/string.hpp>
 
-#include <cstdio>
 #include <string>
 
 namespace godot {

@@ -2,8 +2,6 @@
 #include <godot_cpp/core/class_hooks.hpp>
 #include <godot_cpp/core/object.hpp>
 
-#include <cstring>
-
 namespace godot {
 
 PropertyInfo::PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint, const String &p_hint_string,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <godot_cpp/variant/variant.hpp>
 
-#include <cstring>
-
 namespace godot {
 
 namespace engine = gdextension_interface;

@@ -3,7 +3,6 @@
 // (lanes_16.h adds sixteen). A comparison gives a mask (a bool, or one per lane); select() replaces `if`.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>

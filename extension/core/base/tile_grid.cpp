@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/tile_grid.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grass {

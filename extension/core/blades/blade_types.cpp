@@ -4,7 +4,6 @@
 #include "core/base/functions.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace grass {
 

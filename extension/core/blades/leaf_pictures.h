@@ -7,6 +7,7 @@
 #include "core/blades/leaf_tones.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace grass {

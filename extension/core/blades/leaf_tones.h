@@ -6,8 +6,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
 
 namespace grass {
 

@@ -4,8 +4,6 @@
 
 #include "core/fill/fill_cause.h"
 
-#include <optional>
-
 namespace grass {
 
 enum class BareKind {

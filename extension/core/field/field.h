@@ -13,7 +13,6 @@
 #include "core/species/field_blades.h"
 #include "core/tiles/tiles.h"
 
-#include <array>
 #include <memory>
 #include <span>
 #include <utility>

@@ -5,8 +5,8 @@
 
 #include "core/field/knots.h"
 
-#include <span>
 #include <unordered_map>
+#include <vector>
 
 namespace grass {
 

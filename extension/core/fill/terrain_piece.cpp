@@ -4,7 +4,6 @@
 #include "core/fill/fill.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace grass {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/lod/lod.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace grass {
 
 namespace {

@@ -4,7 +4,6 @@
 #include "core/map/growth.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace grass {
 

@@ -3,7 +3,6 @@
 
 #include "core/paint/changed_texels.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grass {

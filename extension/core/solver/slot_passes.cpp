@@ -2,7 +2,6 @@
 #include "core/solver/slot_passes.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <numeric>
 #include <vector>

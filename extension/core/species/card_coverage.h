@@ -3,7 +3,6 @@
 // mean of thin lines and the gaps between them is below that almost everywhere, so they would vanish with distance.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 

@@ -7,9 +7,7 @@
 #include "core/base/tile_grid.h"
 #include "core/tiles/slot_set.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include "core/base/half.h"
 #include "core/base/hash.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/tiles/tile_meetings.h"
 
-#include <algorithm>
-
 namespace grass {
 
 void TileMeetings::reset() {

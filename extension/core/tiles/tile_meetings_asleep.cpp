@@ -2,8 +2,6 @@
 // Which sleeping tiles a collider meets, and which of them get a slot.
 #include "core/tiles/tile_meetings.h"
 
-#include <algorithm>
-
 namespace grass {
 
 // Queues the tiles for activation that meet a collider and have no slot, as many as can get one: from free slots, and from tiles that no

@@ -2,8 +2,6 @@
 // Which sleeping tiles get the slots of a pool that is too small, where cameras see some of them.
 #include "core/tiles/tile_meetings.h"
 
-#include <algorithm>
-
 namespace grass {
 
 // Queues tiles in view before all others, those near an eye first, and notes those in view that find no slot. p_room: slots that there are

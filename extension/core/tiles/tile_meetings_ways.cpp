@@ -2,7 +2,6 @@
 // The paths of colliders in a step: the tiles that each of them may meet.
 #include "core/tiles/tile_meetings.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grass {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/tiles/tile_params.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace grass {

@@ -2,8 +2,6 @@
 // How the pool becomes larger or smaller while tiles in it are awake.
 #include "core/tiles/tiles.h"
 
-#include <algorithm>
-
 namespace grass {
 
 std::vector<SlotMove> TileManager::resize_pool(int p_slots) {

@@ -2,8 +2,6 @@
 // The records that TileManager hands to the backend.
 #include "core/tiles/tiles.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace grass {

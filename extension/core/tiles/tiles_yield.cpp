@@ -3,7 +3,6 @@
 // cameras see less well than others.
 #include "core/tiles/tiles.h"
 
-#include <array>
 #include <bit>
 #include <functional>
 

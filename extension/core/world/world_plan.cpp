@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/world/world_plan.h"
 
-#include <algorithm>
 #include <unordered_set>
 
 namespace grass {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
