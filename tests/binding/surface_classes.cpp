@@ -60,7 +60,6 @@ METHOD(WorkerThreadPool, add_native_group_task, int64_t(void (*)(void *, uint32_
 
 // classes/editor_plugin_registration.hpp
 STATIC(EditorPlugins, add_plugin_class, void(const StringName &))
-STATIC(EditorPlugins, remove_plugin_class, void(const StringName &))
 STATIC(EditorPlugins, deinitialize, void(GDExtensionInitializationLevel))
 
 // godot.hpp
@@ -74,14 +73,9 @@ CONSTRUCTOR(GDExtensionBinding::InitObject, void (*(*)(const char *))(), void *,
 METHOD(GDExtensionBinding::InitObject, register_initializer, void(void (*)(ModuleInitializationLevel)) const)
 METHOD(GDExtensionBinding::InitObject, register_terminator, void(void (*)(ModuleInitializationLevel)) const)
 METHOD(GDExtensionBinding::InitObject, set_minimum_library_initialization_level, void(ModuleInitializationLevel) const)
-METHOD(GDExtensionBinding::InitObject, register_startup_callback, void(void (*)()) const)
-METHOD(GDExtensionBinding::InitObject, register_frame_callback, void(void (*)()) const)
-METHOD(GDExtensionBinding::InitObject, register_shutdown_callback, void(void (*)()) const)
 METHOD(GDExtensionBinding::InitObject, init, uint8_t() const)
 
 // core/memory.hpp
 FUNCTION(Memory::alloc_static, void *(uint64_t, bool))
-FUNCTION(Memory::realloc_static, void *(void *, uint64_t, bool))
 FUNCTION(Memory::free_static, void(void *, bool))
-STATIC(DefaultAllocator, alloc, void *(uint64_t))
 STATIC(DefaultAllocator, free, void(void *))

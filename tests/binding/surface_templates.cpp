@@ -93,8 +93,6 @@ METHOD(Text, size, int() const)
 METHOD(Text, operator[], const char &(int) const)
 METHOD(Text, operator==, bool(const CharString &) const)
 TYPE(CharString, CharStringT<char>)
-TYPE(Char16String, CharStringT<char16_t>)
-TYPE(Char32String, CharStringT<char32_t>)
 
 // core/type_info.hpp
 using Flags = BitField<PropertyUsageFlags>;

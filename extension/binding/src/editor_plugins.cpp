@@ -24,11 +24,6 @@ void EditorPlugins::add_plugin_class(const StringName &p_class_name) {
 	engine::editor_add_plugin(p_class_name._native_ptr());
 }
 
-void EditorPlugins::remove_plugin_class(const StringName &p_class_name) {
-	ERR_FAIL_COND_MSG(std::erase(plugin_classes, p_class_name) == 0, vformat("There is no editor plugin '%s'.", p_class_name));
-	engine::editor_remove_plugin(p_class_name._native_ptr());
-}
-
 void EditorPlugins::deinitialize(GDExtensionInitializationLevel p_level) {
 	if (p_level != GDEXTENSION_INITIALIZATION_EDITOR) {
 		return;

@@ -36,7 +36,6 @@ constexpr uint32_t MINIMUM_MINOR = 6;
 GDExtensionBinding::Callback initializer = nullptr;
 GDExtensionBinding::Callback terminator = nullptr;
 GDExtensionInitializationLevel minimum_level = GDEXTENSION_INITIALIZATION_CORE;
-GDExtensionMainLoopCallbacks main_loop = {};
 
 struct Documentation {
 	int uncompressed_size = 0;
@@ -129,9 +128,6 @@ void initialize_level(void *, GDExtensionInitializationLevel p_level) {
 	if (initializer) {
 		initializer(static_cast<ModuleInitializationLevel>(p_level));
 	}
-	if (p_level == GDEXTENSION_INITIALIZATION_CORE && (main_loop.startup_func || main_loop.frame_func || main_loop.shutdown_func)) {
-		engine::register_main_loop_callbacks(engine::library, &main_loop);
-	}
 	if (p_level == GDEXTENSION_INITIALIZATION_EDITOR) {
 		load_documentation();
 	}
@@ -168,15 +164,6 @@ void GDExtensionBinding::InitObject::register_terminator(Callback p_callback) co
 }
 void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
 	minimum_level = static_cast<GDExtensionInitializationLevel>(p_level);
-}
-void GDExtensionBinding::InitObject::register_startup_callback(GDExtensionMainLoopStartupCallback p_callback) const {
-	main_loop.startup_func = p_callback;
-}
-void GDExtensionBinding::InitObject::register_frame_callback(GDExtensionMainLoopFrameCallback p_callback) const {
-	main_loop.frame_func = p_callback;
-}
-void GDExtensionBinding::InitObject::register_shutdown_callback(GDExtensionMainLoopShutdownCallback p_callback) const {
-	main_loop.shutdown_func = p_callback;
 }
 
 GDExtensionBool GDExtensionBinding::InitObject::init() const {

@@ -9,10 +9,6 @@ void *Memory::alloc_static(size_t p_bytes, bool p_pad_align) {
 	return gdextension_interface::mem_alloc2(p_bytes, p_pad_align);
 }
 
-void *Memory::realloc_static(void *p_memory, size_t p_bytes, bool p_pad_align) {
-	return gdextension_interface::mem_realloc2(p_memory, p_bytes, p_pad_align);
-}
-
 void Memory::free_static(void *p_memory, bool p_pad_align) {
 	if (p_memory) {
 		gdextension_interface::mem_free2(p_memory, p_pad_align);

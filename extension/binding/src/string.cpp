@@ -5,18 +5,6 @@ namespace godot {
 
 namespace engine = gdextension_interface;
 
-namespace {
-
-// The engine's text in another encoding: asked for its length first.
-template <typename T, typename F> CharStringT<T> encode(const String &p_text, F p_function) {
-	const GDExtensionInt length = p_function(p_text._native_ptr(), nullptr, 0);
-	std::basic_string<T> text(length, T(0));
-	p_function(p_text._native_ptr(), text.data(), length);
-	return CharStringT<T>::_make(std::move(text));
-}
-
-} // namespace
-
 // The C interface makes new text in raw storage.
 String::String(const char *p_text) : Opaque(UNINITIALIZED) {
 	engine::string_new_with_latin1_chars(_storage, p_text);
@@ -37,34 +25,16 @@ String String::utf8(const char *p_text, int64_t p_length) {
 	return text;
 }
 
-String String::utf16(const char16_t *p_text, int64_t p_length) {
-	String text;
-	internal::builtin_types[GDEXTENSION_VARIANT_TYPE_STRING].destructor(text._storage);
-	engine::string_new_with_utf16_chars_and_len2(text._storage, p_text, p_length, true);
-	return text;
-}
-
 Error String::parse_utf8(const char *p_text, int64_t p_length) {
 	internal::builtin_types[GDEXTENSION_VARIANT_TYPE_STRING].destructor(_storage);
 	return static_cast<Error>(engine::string_new_with_utf8_chars_and_len2(_storage, p_text, p_length));
 }
 
 CharString String::utf8() const {
-	return encode<char>(*this, engine::string_to_utf8_chars);
-}
-CharString String::ascii() const {
-	return encode<char>(*this, engine::string_to_latin1_chars);
-}
-Char16String String::utf16() const {
-	return encode<char16_t>(*this, engine::string_to_utf16_chars);
-}
-Char32String String::utf32() const {
-	return encode<char32_t>(*this, engine::string_to_utf32_chars);
-}
-
-String String::num_real(double p_number, bool p_trailing) {
-	const String text = String::num(p_number);
-	return p_trailing && text.is_valid_int() ? text + String(".0") : text;
+	const GDExtensionInt length = engine::string_to_utf8_chars(_storage, nullptr, 0);
+	std::string text(length, '\0');
+	engine::string_to_utf8_chars(_storage, text.data(), length);
+	return CharString::_make(std::move(text));
 }
 
 const char32_t *String::ptr() const {
@@ -109,19 +79,6 @@ String String::operator%(const Variant &p_values) const {
 
 StringName::StringName(const char *p_text, bool p_static) : Opaque(UNINITIALIZED) {
 	engine::string_name_new_with_latin1_chars(_storage, p_text, p_static);
-}
-
-String itos(int64_t p_value) {
-	return String::num_int64(p_value);
-}
-String uitos(uint64_t p_value) {
-	return String::num_uint64(static_cast<int64_t>(p_value));
-}
-String rtos(double p_value) {
-	return String::num(p_value);
-}
-String rtoss(double p_value) {
-	return String::num_scientific(p_value);
 }
 
 } // namespace godot

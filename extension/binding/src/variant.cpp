@@ -111,12 +111,6 @@ String Variant::get_type_name(Type p_type) {
 	engine::variant_get_type_name(static_cast<GDExtensionVariantType>(p_type), name._native_ptr());
 	return name;
 }
-bool Variant::can_convert(Type p_from, Type p_to) {
-	return engine::variant_can_convert(static_cast<GDExtensionVariantType>(p_from), static_cast<GDExtensionVariantType>(p_to));
-}
-bool Variant::can_convert_strict(Type p_from, Type p_to) {
-	return engine::variant_can_convert_strict(static_cast<GDExtensionVariantType>(p_from), static_cast<GDExtensionVariantType>(p_to));
-}
 
 bool Variant::operator==(const Variant &p_other) const {
 	Variant result;
@@ -151,17 +145,6 @@ void Variant::set(const Variant &p_key, const Variant &p_value, bool *r_valid) {
 		*r_valid = valid;
 	}
 }
-void Variant::set_named(const StringName &p_name, const Variant &p_value, bool &r_valid) {
-	GDExtensionBool valid = false;
-	engine::variant_set_named(_storage, p_name._native_ptr(), p_value._storage, &valid);
-	r_valid = valid;
-}
-void Variant::set_indexed(int64_t p_index, const Variant &p_value, bool &r_valid, bool &r_out_of_bounds) {
-	GDExtensionBool valid = false, outside = false;
-	engine::variant_set_indexed(_storage, p_index, p_value._storage, &valid, &outside);
-	r_valid = valid;
-	r_out_of_bounds = outside;
-}
 Variant Variant::get(const Variant &p_key, bool *r_valid) const {
 	Variant result;
 	GDExtensionBool valid = false;
@@ -171,38 +154,12 @@ Variant Variant::get(const Variant &p_key, bool *r_valid) const {
 	}
 	return result;
 }
-Variant Variant::get_named(const StringName &p_name, bool &r_valid) const {
-	Variant result;
-	GDExtensionBool valid = false;
-	engine::variant_get_named(_storage, p_name._native_ptr(), result._storage, &valid);
-	r_valid = valid;
-	return result;
-}
-Variant Variant::get_indexed(int64_t p_index, bool &r_valid, bool &r_out_of_bounds) const {
-	Variant result;
-	GDExtensionBool valid = false, outside = false;
-	engine::variant_get_indexed(_storage, p_index, result._storage, &valid, &outside);
-	r_valid = valid;
-	r_out_of_bounds = outside;
-	return result;
-}
 bool Variant::has_method(const StringName &p_method) const {
 	return engine::variant_has_method(_storage, p_method._native_ptr());
-}
-bool Variant::has_key(const Variant &p_key, bool *r_valid) const {
-	GDExtensionBool valid = false;
-	const bool found = engine::variant_has_key(_storage, p_key._storage, &valid);
-	if (r_valid) {
-		*r_valid = valid;
-	}
-	return found;
 }
 
 uint32_t Variant::hash() const {
 	return static_cast<uint32_t>(engine::variant_hash(_storage));
-}
-bool Variant::hash_compare(const Variant &p_other) const {
-	return engine::variant_hash_compare(_storage, p_other._storage);
 }
 bool Variant::booleanize() const {
 	return engine::variant_booleanize(_storage);

@@ -54,9 +54,9 @@ TEST_CASE("a Variant calls methods of what it holds, and reads its members") {
 	CHECK((int64_t(text.call("length")) == 6));
 	CHECK((String(text.call("substr", 1, 3)) == "ead"));
 	bool is_valid = false;
-	CHECK((double(Variant(Vector3(1, 2, 3)).get_named("y", is_valid)) == 2.0));
+	CHECK((double(Variant(Vector3(1, 2, 3)).get("y", &is_valid)) == 2.0));
 	CHECK((is_valid));
-	Variant(Vector3()).get_named("no_member", is_valid);
+	Variant(Vector3()).get("no_member", &is_valid);
 	CHECK((!is_valid));
 	Variant sum;
 	Variant::evaluate(Variant::OP_ADD, 2, 3, sum, is_valid);

@@ -46,9 +46,6 @@ public:
 		void register_initializer(Callback p_callback) const;
 		void register_terminator(Callback p_callback) const;
 		void set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const;
-		void register_startup_callback(GDExtensionMainLoopStartupCallback p_callback) const;
-		void register_frame_callback(GDExtensionMainLoopFrameCallback p_callback) const;
-		void register_shutdown_callback(GDExtensionMainLoopShutdownCallback p_callback) const;
 
 		// False, with an error in the log, where the engine is older than what the extension was built for.
 		GDExtensionBool init() const;

@@ -9,7 +9,6 @@ namespace godot {
 class EditorPlugins {
 public:
 	static void add_plugin_class(const StringName &p_class_name);
-	static void remove_plugin_class(const StringName &p_class_name);
 	template <typename T> static void add_by_type() { add_plugin_class(T::get_class_static()); }
 	// Called by the library's entry: the plugins go before their classes do.
 	static void deinitialize(GDExtensionInitializationLevel p_level);

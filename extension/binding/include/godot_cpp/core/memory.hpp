@@ -16,13 +16,11 @@ class Wrapped;
 namespace Memory {
 
 void *alloc_static(size_t p_bytes, bool p_pad_align = false);
-void *realloc_static(void *p_memory, size_t p_bytes, bool p_pad_align = false);
 void free_static(void *p_memory, bool p_pad_align = false);
 
 } // namespace Memory
 
 struct DefaultAllocator {
-	static void *alloc(size_t p_bytes) { return Memory::alloc_static(p_bytes); }
 	static void free(void *p_memory) { Memory::free_static(p_memory); }
 };
 

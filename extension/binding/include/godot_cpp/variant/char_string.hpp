@@ -30,7 +30,5 @@ private:
 };
 
 using CharString = CharStringT<char>;
-using Char16String = CharStringT<char16_t>;
-using Char32String = CharStringT<char32_t>;
 
 } // namespace godot

@@ -21,9 +21,6 @@ public:
 	bool operator==(const RID &p_other) const { return _id == p_other._id; }
 	bool operator!=(const RID &p_other) const { return _id != p_other._id; }
 	bool operator<(const RID &p_other) const { return _id < p_other._id; }
-	bool operator<=(const RID &p_other) const { return _id <= p_other._id; }
-	bool operator>(const RID &p_other) const { return _id > p_other._id; }
-	bool operator>=(const RID &p_other) const { return _id >= p_other._id; }
 	void *_native_ptr() const { return const_cast<uint64_t *>(&_id); }
 
 private:

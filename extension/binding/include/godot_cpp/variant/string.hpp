@@ -23,13 +23,8 @@ public:
 	String(const Variant *) = delete; // private upstream
 
 	static String utf8(const char *p_text, int64_t p_length = -1);
-	static String utf16(const char16_t *p_text, int64_t p_length = -1);
 	Error parse_utf8(const char *p_text, int64_t p_length = -1);
 	CharString utf8() const;
-	CharString ascii() const;
-	Char16String utf16() const;
-	Char32String utf32() const;
-	static String num_real(double p_number, bool p_trailing = true);
 
 	const char32_t *ptr() const;
 	char32_t *ptrw();
@@ -82,10 +77,5 @@ bool operator==(const char32_t *, const String &) = delete;
 String operator+(const wchar_t *, const String &) = delete;
 String operator+(const char16_t *, const String &) = delete;
 String operator+(const char32_t *, const String &) = delete;
-
-String itos(int64_t p_value);
-String uitos(uint64_t p_value);
-String rtos(double p_value);
-String rtoss(double p_value);
 
 } // namespace godot

@@ -136,8 +136,6 @@ public:
 	Object *get_validated_object() const;
 	Type get_type() const;
 	static String get_type_name(Type p_type);
-	static bool can_convert(Type p_from, Type p_to);
-	static bool can_convert_strict(Type p_from, Type p_to);
 
 	bool operator==(const Variant &p_other) const;
 	bool operator!=(const Variant &p_other) const {
@@ -157,16 +155,10 @@ public:
 
 	// Members, elements and keys, whatever the value has.
 	void set(const Variant &p_key, const Variant &p_value, bool *r_valid = nullptr);
-	void set_named(const StringName &p_name, const Variant &p_value, bool &r_valid);
-	void set_indexed(int64_t p_index, const Variant &p_value, bool &r_valid, bool &r_out_of_bounds);
 	Variant get(const Variant &p_key, bool *r_valid = nullptr) const;
-	Variant get_named(const StringName &p_name, bool &r_valid) const;
-	Variant get_indexed(int64_t p_index, bool &r_valid, bool &r_out_of_bounds) const;
 	bool has_method(const StringName &p_method) const;
-	bool has_key(const Variant &p_key, bool *r_valid = nullptr) const;
 
 	uint32_t hash() const;
-	bool hash_compare(const Variant &p_other) const;
 	bool booleanize() const;
 	String stringify() const;
 	Variant duplicate(bool p_deep = false) const;
