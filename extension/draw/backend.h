@@ -51,10 +51,7 @@ public:
 	// wind's clock has advanced since the last frame. The engine calls vertex() a second time with the MODEL_MATRIX of the frame before,
 	// and a shader cannot tell the calls apart otherwise. So in frames in which blades move, the instance of the picture flips y over, or
 	// back, and the shader reverses that. Without vectors (default) blades blur where they move.
-	virtual void show_motion(bool p_is_read, bool p_has_blown) {
-		(void)p_is_read;
-		(void)p_has_blown;
-	}
+	virtual void show_motion([[maybe_unused]] bool p_is_read, [[maybe_unused]] bool p_has_blown) {}
 	// Follows the node: p_transform (orthonormal), its world, visibility, layers and shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
 	// For fields with a map: sets the cover of the tiles. Those in p_changed may differ from the last call.

@@ -33,19 +33,7 @@ Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor, const String &p_
 	if (!problem.is_empty()) {
 		WARN_PRINT(vformat("%s: far plants are drawn as if they were white, since an albedo texture %s", p_who, problem));
 	}
-	if (image.is_null()) {
-		return Color(1, 1, 1, 1);
-	}
-	Color sum(0, 0, 0, 0);
-	for (int y = 0; y < TEXTURE_STEPS; y++) {
-		for (int x = 0; x < TEXTURE_STEPS; x++) {
-			const Color color =
-					image->get_pixel(x * image->get_width() / TEXTURE_STEPS, y * image->get_height() / TEXTURE_STEPS).srgb_to_linear();
-			sum += color.a < p_scissor ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
-		}
-	}
-	const float opaque = std::max(float(sum.a), 1.0f);
-	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(TEXTURE_STEPS * TEXTURE_STEPS));
+	return image.is_valid() ? mean_color(image, TEXTURE_STEPS, p_scissor) : Color(1, 1, 1, 1);
 }
 
 // Reads what drawing takes from a material. Returns whether it shows vertex colours.

@@ -15,16 +15,7 @@ using namespace godot;
 namespace grass {
 
 Color mean_color(const Ref<Image> &p_image) {
-	constexpr int STEP = 4, COUNT = (Cards::SIDE / STEP) * (Cards::SIDE / STEP);
-	Color sum(0, 0, 0, 0);
-	for (int y = 0; y < Cards::SIDE; y += STEP) {
-		for (int x = 0; x < Cards::SIDE; x += STEP) {
-			const Color color = p_image->get_pixel(x, y).srgb_to_linear();
-			sum += color.a < 0.5f ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
-		}
-	}
-	const float opaque = std::max(float(sum.a), 1.0f);
-	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(COUNT));
+	return mean_color(p_image, Cards::SIDE / 4, 0.5f);
 }
 
 namespace {

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "editor/brush_preview.h"
 
+#include "world/world_fields.h"
+
 using namespace godot;
 
 namespace grass {
-
-namespace {
-
-GrassField *find(uint64_t p_id) {
-	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
-}
-
-} // namespace
 
 void BrushPreview::show(const PaintedFields &p_painted, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys) {
 	hide();
@@ -34,7 +28,7 @@ void BrushPreview::show(const PaintedFields &p_painted, const GrassBrush &p_brus
 
 void BrushPreview::hide() {
 	for (const uint64_t id : _field_ids) {
-		if (GrassField *field = find(id)) {
+		if (GrassField *field = field_with(id)) {
 			field->end_preview();
 		}
 	}
@@ -44,7 +38,7 @@ void BrushPreview::hide() {
 int BrushPreview::get_count() const {
 	int count = 0;
 	for (const uint64_t id : _field_ids) {
-		const GrassField *field = find(id);
+		const GrassField *field = field_with(id);
 		count += field != nullptr && field->is_preview() ? 1 : 0;
 	}
 	return count;

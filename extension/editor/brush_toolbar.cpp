@@ -142,10 +142,6 @@ void BrushToolbar::_number_changed(double) {
 	show_brush();
 }
 
-void BrushToolbar::_color_changed(const Color &p_color) {
-	_brush->set_color(p_color);
-}
-
 void BrushToolbar::_species_selected(int64_t p_index) {
 	_species->set_chosen();
 	_brush->set_species(p_index);

@@ -80,7 +80,6 @@ private:
 	void show_brush(); // copies the brush's properties to the controls
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);
-	void _color_changed(const godot::Color &p_color);
 	void _species_selected(int64_t p_index);
 	bool _can_take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
 	void _take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);

@@ -127,7 +127,7 @@ void BrushToolbar::add_numbers() {
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));
 	_color->set_edit_alpha(false);
 	_color->set_tooltip_text("Colour of the blades.");
-	_color->connect("color_changed", callable_mp(this, &BrushToolbar::_color_changed));
+	_color->connect("color_changed", callable_mp(_brush.ptr(), &GrassBrush::set_color));
 	add_child(_color);
 	_channel = memnew(OptionButton);
 	_channel->set_name("Channel");
@@ -175,19 +175,17 @@ void BrushToolbar::add_menu() {
 	_menu->set_flat(true);
 	_menu->set_tooltip_text("The whole field.");
 	PopupMenu *popup = _menu->get_popup();
-	popup->add_item("Bare Field", MENU_BARE);
-	popup->set_item_tooltip(0, "Only what you paint from now on grows.");
-	popup->add_item("Full Field", MENU_FULL);
-	popup->set_item_tooltip(1, "Grass grows everywhere except where you erase it from now on.");
-	popup->add_separator();
-	popup->add_item("Clear Everything Painted", MENU_CLEAR);
-	popup->add_separator();
-	const auto add_picture = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
+	const auto add = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
 		popup->add_item(p_text, p_item);
 		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
 	};
-	add_picture(MENU_EXPORT, "Export Picture…", "Saves a channel of the map as PNG or EXR.");
-	add_picture(MENU_IMPORT, "Import Picture…", "Reads a PNG or an EXR into a channel of the map.");
+	add(MENU_BARE, "Bare Field", "Only what you paint from now on grows.");
+	add(MENU_FULL, "Full Field", "Grass grows everywhere except where you erase it from now on.");
+	popup->add_separator();
+	popup->add_item("Clear Everything Painted", MENU_CLEAR);
+	popup->add_separator();
+	add(MENU_EXPORT, "Export Picture…", "Saves a channel of the map as PNG or EXR.");
+	add(MENU_IMPORT, "Import Picture…", "Reads a PNG or an EXR into a channel of the map.");
 	popup->add_separator();
 	const auto add_check = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
 		popup->add_check_item(p_text, p_item);

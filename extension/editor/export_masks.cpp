@@ -28,9 +28,7 @@ void add_files(EditorFileSystemDirectory *p_folder, PackedStringArray &r_files) 
 } // namespace
 
 // Does not use the feature "dedicated_server", since plugins are called before the engine adds it (Godot 4.6).
-bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &p_platform, const PackedStringArray &p_features) const {
-	(void)p_platform;
-	(void)p_features;
+bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &, const PackedStringArray &) const {
 	const Ref<EditorExportPreset> preset = get_export_preset();
 	return preset.is_valid() && preset->get_export_filter() == EditorExportPreset::EXPORT_CUSTOMIZED &&
 			preset->get_customized_files().values().has("strip");

@@ -3,6 +3,8 @@
 
 #include <godot_cpp/classes/gd_extension_manager.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -12,12 +14,7 @@ namespace {
 constexpr const char *ARCHITECTURES[] = { "x86_32", "x86_64", "arm32", "arm64", "rv64", "ppc64", "loongarch64", "wasm32", UNIVERSAL };
 
 bool is_architecture(const String &p_feature) {
-	for (const char *architecture : ARCHITECTURES) {
-		if (p_feature == architecture) {
-			return true;
-		}
-	}
-	return false;
+	return std::ranges::any_of(ARCHITECTURES, [&](const char *p_architecture) { return p_feature == p_architecture; });
 }
 
 } // namespace

@@ -19,14 +19,11 @@ constexpr double LARGEST_BAKE = 65536.0; // most m^2 that a new map reads at onc
 } // namespace
 
 Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes) {
-	Ref<GrassMap> map;
-	map.instantiate();
-	map->set_base_density(1.0);
-	p_field->set_map(map);
+	p_field->make_map();
 	if (p_bakes && p_field->get_terrain().is_empty() && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
 		p_field->bake_ground();
 	}
-	return map;
+	return p_field->get_map();
 }
 
 std::optional<Brush> brush_for(

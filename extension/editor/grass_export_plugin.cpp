@@ -107,8 +107,7 @@ void GrassExportPlugin::add_extension(const ExtensionFile &p_extension, const Pa
 	say(EditorExportPlatform::EXPORT_MESSAGE_INFO, vformat("Added %s%s, since no scene refers to the add-on's library.", path, with));
 }
 
-void GrassExportPlugin::_export_file(const String &p_path, const String &p_type, const PackedStringArray &p_features) {
-	(void)p_features;
+void GrassExportPlugin::_export_file(const String &p_path, const String &p_type, const PackedStringArray &) {
 	_has_extension = _has_extension || p_path.get_file() == ExtensionFile::NAME;
 	if (p_type == "PackedScene") {
 		_scenes.push_back(p_path);

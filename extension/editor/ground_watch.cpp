@@ -62,10 +62,6 @@ MapRegion region_of(const GrassField &p_field) {
 	return MapRegion{ -half, half }.grown(TEXEL); // includes the texels that the outermost blades blend with
 }
 
-bool is_empty(const MapRegion &p_region) {
-	return !(p_region.min.array() < p_region.max.array()).all();
-}
-
 // Returns the region below and above a box in the field's space.
 MapRegion footprint(const Eigen::AlignedBox3d &p_box) {
 	return { { p_box.min().x(), p_box.min().z() }, { p_box.max().x(), p_box.max().z() } };
@@ -74,8 +70,8 @@ MapRegion footprint(const Eigen::AlignedBox3d &p_box) {
 // Returns whether the map's ground is on the body somewhere, and not only below it. p_box: of the body, field space.
 bool is_stood_on(const GrassField &p_field, const Eigen::AlignedBox3d &p_box) {
 	const MapRegion region = footprint(p_box).shared(region_of(p_field));
-	if (is_empty(region) || (region.max - region.min).prod() >= TERRAIN) {
-		return !is_empty(region);
+	if (!region.has_area() || (region.max - region.min).prod() >= TERRAIN) {
+		return region.has_area();
 	}
 	const PaintMap &map = p_field.get_map()->get_map();
 	for (double z = region.min.y(); z < region.max.y(); z += TEXEL) {
@@ -219,7 +215,7 @@ void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now)
 
 void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left) {
 	const MapRegion region = p_region.shared(region_of(p_field));
-	if (is_empty(region)) {
+	if (!region.has_area()) {
 		return;
 	}
 	if (!_pieces.empty()) { // what was read of it is of the moment before
@@ -230,7 +226,7 @@ void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_regio
 	for (const MapKey &key : chunks_in(region)) {
 		const MapChunk *chunk = p_field.get_map()->get_map().find(key);
 		const MapRegion part = MapRegion::of_chunk(key).shared(region);
-		if (!is_empty(part) && (!is_large || (chunk != nullptr && chunk->channels[MAP_GROUND]))) {
+		if (part.has_area() && (!is_large || (chunk != nullptr && chunk->channels[MAP_GROUND]))) {
 			_pieces.push_back({ p_field.get_instance_id(), part, p_left, before, {} });
 		}
 	}

@@ -73,7 +73,7 @@ bool MapPictures::read(GrassField &r_field) {
 // A plot shows the edges of its neighbours, so its map holds them.
 void MapPictures::sew(const GrassField &p_from, const GrassField &p_to) {
 	const MapRegion strip = in_parent(p_from).shared(in_parent(p_to).grown(MapLayers::CHANGE_MARGIN));
-	if ((strip.min.array() < strip.max.array()).all()) {
+	if (strip.has_area()) {
 		const Ref<Image> edge = p_from.get_map()->get_channel_image(_channel, to_map_of(p_from, strip), true);
 		p_to.get_map()->set_channel_image(_channel, edge, to_map_of(p_to, strip));
 	}

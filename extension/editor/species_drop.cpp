@@ -5,6 +5,7 @@
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
+#include <algorithm>
 #include <vector>
 
 using namespace godot;
@@ -17,12 +18,7 @@ namespace {
 constexpr const char *TAKEN[] = { ".tres", ".res", ".png", ".jpg", ".jpeg", ".webp", ".svg", ".exr", ".tga", ".bmp" };
 
 bool may_be_taken(const String &p_file) {
-	for (const char *end : TAKEN) {
-		if (p_file.ends_with(end)) {
-			return true;
-		}
-	}
-	return false;
+	return std::ranges::any_of(TAKEN, [&](const char *p_end) { return p_file.ends_with(p_end); });
 }
 
 std::vector<Ref<Resource>> find_dragged(const Variant &p_dragged) {

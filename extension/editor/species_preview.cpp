@@ -46,8 +46,7 @@ bool SpeciesPreview::_handles(const String &p_type) const {
 	return p_type == "GrassSpecies";
 }
 
-Ref<Texture2D> SpeciesPreview::_generate(const Ref<Resource> &p_resource, const Vector2i &p_size, const Dictionary &p_metadata) const {
-	(void)p_metadata;
+Ref<Texture2D> SpeciesPreview::_generate(const Ref<Resource> &p_resource, const Vector2i &p_size, const Dictionary &) const {
 	const GrassSpecies *species = Object::cast_to<GrassSpecies>(p_resource.ptr());
 	const int side = std::min(p_size.x, p_size.y);
 	if (species == nullptr || side <= 0) {

@@ -24,7 +24,7 @@ constexpr int FRAMES_BETWEEN_LOOKS = 15;
 
 // Returns a number that changes with every node that rules follow automatically.
 uint64_t scene_revision() {
-	return GrassExclusion3D::get_revision() + GrassPath3D::get_revision();
+	return GrassExclusion3D::get_nodes().get_revision() + GrassPath3D::get_nodes().get_revision();
 }
 
 FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {

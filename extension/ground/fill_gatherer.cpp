@@ -175,7 +175,7 @@ void FillGatherer::add_shapes(const GrassFillRule &p_rule, const Node *p_node) {
 
 void FillGatherer::add_exclusions(const GrassFillRule &p_rule) {
 	const double height = p_rule.get_param(FILL_EXCLUSION_HEIGHT);
-	for (const GrassExclusion3D *exclusion : GrassExclusion3D::get_all()) {
+	for (const GrassExclusion3D *exclusion : GrassExclusion3D::get_nodes().get_all<GrassExclusion3D>()) {
 		if (!exclusion->is_enabled() || exclusion->get_world_3d() != _field->get_world_3d()) {
 			continue;
 		}
@@ -202,7 +202,7 @@ void FillGatherer::add_distances(const GrassFillRule &p_rule) {
 }
 
 void FillGatherer::add_paths() {
-	for (const GrassPath3D *path : GrassPath3D::get_all()) {
+	for (const GrassPath3D *path : GrassPath3D::get_nodes().get_all<GrassPath3D>()) {
 		if (!path->is_enabled() || path->get_world_3d() != _field->get_world_3d() || !path->concerns(_field)) {
 			continue;
 		}

@@ -48,9 +48,7 @@ Transform3D TerrainSource::get_transform() const {
 	return Transform3D();
 }
 
-AABB TerrainSource::to_area(const Vector2 &p_first_cell, const Vector2 &p_cells) const {
-	(void)p_first_cell;
-	(void)p_cells;
+AABB TerrainSource::to_area(const Vector2 &, const Vector2 &) const {
 	return AABB();
 }
 

@@ -65,6 +65,7 @@ public:
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass grows everywhere
 	godot::Ref<GrassMap> get_map() const { return value_of(_properties.map); }
+	void make_map(); // a new one, with grass everywhere
 	// Instead of set_map(), for a map that another thread prepared as find_map_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> p_prepared);
 	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
@@ -248,7 +249,6 @@ private:
 	// grass_field_queries.cpp and _methods.cpp
 	const godot::Node3D &as_node() const override { return *this; }
 	GrassMap *need_map(const char *p_method) override;
-	void make_map();
 	bool prepare_places();
 	GrassField *find_other(const godot::Vector3 &p_global_position) const;
 	godot::PackedVector3Array find_knots(std::span<const BladeNumber> p_blades, FieldPlaces::Knots p_knots);

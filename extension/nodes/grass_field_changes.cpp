@@ -47,10 +47,7 @@ void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
 
 // Colours and frequencies take effect at once; a change of blades makes the field again.
 void GrassField::_species_changed() {
-	if (!is_main_thread()) { // another thread changed a part of the resource
-		callable_mp(this, &GrassField::_species_changed).call_deferred();
-		return;
-	}
+	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_species_changed); // another thread changed a part of the resource
 	if (!_properties.species.read_plants(*this)) {
 		return;
 	}
@@ -171,10 +168,7 @@ void GrassField::set_fill_live(bool p_live) {
 }
 
 void GrassField::_fill_rule_changed() {
-	if (!is_main_thread()) { // another thread changed a part of the resource
-		callable_mp(this, &GrassField::_fill_rule_changed).call_deferred();
-		return;
-	}
+	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_fill_rule_changed); // another thread changed a part of the resource
 	_filler.rule_changed();
 	update_configuration_warnings();
 }

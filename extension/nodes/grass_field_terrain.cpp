@@ -56,20 +56,14 @@ void GrassField::terrain_changed(const AABB &p_area) {
 
 // Signals of a terrain may arrive on any thread.
 void GrassField::_terrain_edited(const AABB &p_area) {
-	if (!is_main_thread()) {
-		callable_mp(this, &GrassField::_terrain_edited).call_deferred(p_area);
-		return;
-	}
+	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_terrain_edited, p_area);
 	if (p_area.is_finite()) {
 		_terrain.area_changed(p_area);
 	}
 }
 
 void GrassField::_terrain_replaced() {
-	if (!is_main_thread()) {
-		callable_mp(this, &GrassField::_terrain_replaced).call_deferred();
-		return;
-	}
+	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_terrain_replaced);
 	_terrain.anything_changed();
 }
 
@@ -78,10 +72,7 @@ void GrassField::_terrain_rectangle_changed(const Rect2 &p_cells) {
 }
 
 void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel) {
-	if (!is_main_thread()) {
-		callable_mp(this, &GrassField::_terrain_cells_changed).call_deferred(p_x, p_y, p_width, p_height, p_channel);
-		return;
-	}
+	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_terrain_cells_changed, p_x, p_y, p_width, p_height, p_channel);
 	(void)_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height))); // nothing may follow this
 }
 

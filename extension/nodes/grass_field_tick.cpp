@@ -120,10 +120,7 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	}
 }
 
-void GrassField::_area_changed(int64_t p_status, const RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape) {
-	(void)p_area;
-	(void)p_other_shape;
-	(void)p_own_shape;
+void GrassField::_area_changed(int64_t p_status, const RID &, int64_t p_instance_id, int64_t, int64_t) {
 	_forces.get_areas().area_changed(p_status, p_instance_id);
 }
 

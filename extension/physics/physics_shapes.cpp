@@ -38,12 +38,7 @@ void add_hull(TrackedShape &r_tracked, const Hull &p_hull) {
 }
 
 void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
-	std::vector<Eigen::Vector3d> points;
-	points.reserve(size_t(p_points.size()));
-	for (int64_t i = 0; i < p_points.size(); i++) {
-		points.push_back(to_eigen(p_points[i]));
-	}
-	const Hull hull = Hull::make(points);
+	const Hull hull = Hull::make(to_eigen(p_points));
 	r_tracked.is_simplified = hull.is_bound;
 	add_hull(r_tracked, hull);
 }
@@ -123,13 +118,7 @@ bool split_mesh(TrackedShape &r_shape) {
 	}
 	const uint64_t now = Engine::get_singleton()->get_physics_frames();
 	if (!r_shape.pieces.valid()) {
-		const PackedVector3Array faces = Dictionary(r_shape.data)["faces"];
-		std::vector<Eigen::Vector3d> corners;
-		corners.reserve(size_t(faces.size()));
-		for (int64_t i = 0; i < faces.size(); i++) {
-			corners.push_back(to_eigen(faces[i]));
-		}
-		r_shape.pieces = MeshPieces::begin(std::move(corners));
+		r_shape.pieces = MeshPieces::begin(to_eigen(PackedVector3Array(Dictionary(r_shape.data)["faces"])));
 		r_shape.pieces_due = now + SPLIT_TICKS;
 	}
 	if (now < r_shape.pieces_due) {

@@ -89,17 +89,12 @@ void SoftBodies::read_mesh(const Ref<Mesh> &p_mesh, Body &r_body) {
 	const Array arrays = p_mesh->surface_get_arrays(0); // the server simulates no other surface
 	const PackedVector3Array vertices = arrays[Mesh::ARRAY_VERTEX];
 	const PackedInt32Array indices = arrays[Mesh::ARRAY_INDEX];
-	std::vector<Eigen::Vector3d> points;
-	points.reserve(size_t(vertices.size()));
-	for (int64_t i = 0; i < vertices.size(); i++) {
-		points.push_back(to_eigen(vertices[i]));
-	}
 	std::vector<int> faces;
 	const int64_t count = indices.is_empty() ? vertices.size() : indices.size();
 	for (int64_t i = 0; i < count; i++) {
 		faces.push_back(indices.is_empty() ? int(i) : indices[i]);
 	}
-	r_body.parts = SoftParts(points, faces);
+	r_body.parts = SoftParts(to_eigen(vertices), faces);
 	r_body.motions.resize(size_t(r_body.parts.get_count()));
 }
 

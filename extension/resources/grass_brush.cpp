@@ -18,24 +18,14 @@ using namespace godot;
 
 namespace grass {
 
-GrassBrush::GrassBrush() {
-	for (size_t i = 0; i < _params.size(); i++) {
-		_params[i] = BRUSH_PARAMS[i].initial;
-	}
-}
-
 void GrassBrush::set_tool(Tool p_tool) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), label() + String(": `tool` must be one of the TOOL_* constants."));
-	if (replace(_tool, p_tool)) {
-		emit_changed();
-	}
+	replace_in(*this, _tool, p_tool);
 }
 
 void GrassBrush::set_falloff(FalloffCurve p_falloff) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, label() + String(": `falloff` must be one of the FALLOFF_* constants."));
-	if (replace(_falloff, p_falloff)) {
-		emit_changed();
-	}
+	replace_in(*this, _falloff, p_falloff);
 }
 
 void GrassBrush::set_stamp(const Ref<Texture2D> &p_stamp) {
@@ -72,15 +62,11 @@ void GrassBrush::_stamp_changed() {
 }
 
 void GrassBrush::set_color(const Color &p_color) {
-	if (replace(_color, p_color)) {
-		emit_changed();
-	}
+	replace_in(*this, _color, p_color);
 }
 
 void GrassBrush::set_species(int64_t p_species) {
-	if (replace(_species, checked_int("species", p_species, 0, info_of(MAP_SPECIES).highest, label()))) {
-		emit_changed();
-	}
+	replace_in(*this, _species, checked_int("species", p_species, 0, info_of(MAP_SPECIES).highest, label()));
 }
 
 void GrassBrush::set_channel(int64_t p_channel) {
@@ -88,16 +74,12 @@ void GrassBrush::set_channel(int64_t p_channel) {
 	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, label() + String(": smooth the density instead, and the painted mask follows."));
 	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends,
 			label() + String(": species cannot be smoothed, since there is no mean of two species."));
-	if (replace(_channel, p_channel)) {
-		emit_changed();
-	}
+	replace_in(*this, _channel, p_channel);
 }
 
 void GrassBrush::set_param(int64_t p_param, double p_value) {
 	ERR_FAIL_INDEX(p_param, int(BRUSH_PARAM_COUNT));
-	if (replace(_params[size_t(p_param)], checked(BRUSH_PARAMS[size_t(p_param)], p_value, label()))) {
-		emit_changed();
-	}
+	replace_in(*this, _params[size_t(p_param)], checked(BRUSH_PARAMS[size_t(p_param)], p_value, label()));
 }
 
 double GrassBrush::get_param(int64_t p_param) const {
@@ -149,11 +131,7 @@ double GrassBrush::get_spacing() const {
 void GrassBrush::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassBrush::set_param);
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassBrush::get_param);
-	const auto add_numbers = [](int p_first, int p_last) {
-		for (int param = p_first; param <= p_last; param++) {
-			ClassDB::add_property("GrassBrush", property_of(BRUSH_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
-		}
-	};
+	const auto add_numbers = [](int p_first, int p_last) { add_params("GrassBrush", BRUSH_PARAMS, p_first, p_last); };
 
 	GRASS_BIND_PROPERTY(GrassBrush,
 			PropertyInfo(Variant::INT, "tool", PROPERTY_HINT_ENUM,

@@ -38,8 +38,6 @@ public:
 		FALLOFF_SHARP = int(Falloff::SHARP),
 	};
 
-	GrassBrush();
-
 	void set_tool(Tool p_tool);
 	Tool get_tool() const { return _tool; }
 	void set_falloff(FalloffCurve p_falloff);
@@ -83,7 +81,7 @@ private:
 	std::shared_ptr<const MapStamp> _weights; // of the stamp; null: no stamp, or its picture is not ready
 	godot::Color _color = godot::Color(1, 1, 1);
 	int64_t _species = 0, _channel = MAP_DENSITY;
-	std::array<double, BRUSH_PARAM_COUNT> _params;
+	std::array<double, BRUSH_PARAM_COUNT> _params = initial_of(BRUSH_PARAMS);
 };
 
 } // namespace grass

@@ -17,8 +17,6 @@ namespace grass {
 
 namespace {
 
-PicturedNodes exclusions;
-
 const Color COLOR(0.99f, 0.5f, 0.5f);
 // Metres from the shape's centre. For points farther away the engine never finishes making the hull.
 constexpr real_t FARTHEST_POINT = 1e5f;
@@ -34,18 +32,9 @@ bool is_drawable(const Ref<Shape3D> &p_shape) {
 
 } // namespace
 
-std::vector<GrassExclusion3D *> GrassExclusion3D::get_all() {
-	return exclusions.get_all<GrassExclusion3D>();
-}
-
-uint64_t GrassExclusion3D::get_revision() {
-	return exclusions.get_revision();
-}
-
 void GrassExclusion3D::changed() {
-	exclusions.count_change();
-	update_picture();
-	update_configuration_warnings();
+	_nodes.change(
+			*this, [this] { return make_picture(); }, COLOR, _picture);
 }
 
 void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {
@@ -97,7 +86,7 @@ PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
 }
 
 void GrassExclusion3D::_notification(int p_what) {
-	if (exclusions.notify(*this, p_what, _picture)) {
+	if (_nodes.notify(*this, p_what, _picture)) {
 		changed();
 	}
 }
@@ -114,13 +103,6 @@ Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 		}
 	}
 	return EditorPicture::mesh_of(lines);
-}
-
-void GrassExclusion3D::update_picture() {
-	if (exclusions.has(this)) {
-		_picture.show(
-				*this, [this] { return make_picture(); }, COLOR);
-	}
 }
 
 void GrassExclusion3D::_bind_methods() {

@@ -13,8 +13,6 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 
-#include <vector>
-
 namespace grass {
 
 class GrassExclusion3D : public godot::Node3D {
@@ -34,10 +32,7 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Returns all nodes in the tree, in the order of their creation.
-	static std::vector<GrassExclusion3D *> get_all();
-	// Returns a number that changes whenever one of them is added, removed, moved or changed.
-	static uint64_t get_revision();
+	static const PicturedNodes &get_nodes() { return _nodes; }
 
 protected:
 	static void _bind_methods();
@@ -46,7 +41,6 @@ protected:
 private:
 	godot::String label() const { return label_of(*this); } // for messages
 	void changed();
-	void update_picture();
 	godot::Ref<godot::ArrayMesh> make_picture() const;
 
 	godot::Ref<godot::Shape3D> _shape;
@@ -54,6 +48,7 @@ private:
 	double _fade = FADE.initial;
 	bool _enabled = true;
 	EditorPicture _picture;
+	static inline PicturedNodes _nodes; // all in the tree
 };
 
 } // namespace grass

@@ -23,17 +23,13 @@ GrassFillRule::GrassFillRule() {
 
 void GrassFillRule::set_seed(int64_t p_seed) {
 	GRASS_CHANGE_GUARD(label());
-	if (replace(_rule.seed, uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, label())))) {
-		emit_changed();
-	}
+	replace_in(*this, _rule.seed, uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, label())));
 }
 
 void GrassFillRule::set_param(int64_t p_param, double p_value) {
 	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
-	if (replace(_rule.params[size_t(p_param)], checked(FILL_PARAMS[size_t(p_param)], p_value, label()))) {
-		emit_changed();
-	}
+	replace_in(*this, _rule.params[size_t(p_param)], checked(FILL_PARAMS[size_t(p_param)], p_value, label()));
 }
 
 double GrassFillRule::get_param(int64_t p_param) const {
@@ -110,25 +106,19 @@ void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
 
 void GrassFillRule::set_mask_invert(bool p_invert) {
 	GRASS_CHANGE_GUARD(label());
-	if (replace(_rule.inverts_mask, p_invert)) {
-		emit_changed();
-	}
+	replace_in(*this, _rule.inverts_mask, p_invert);
 }
 
 void GrassFillRule::set_mask_region(const Rect2 &p_region) {
 	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_COND_MSG(!p_region.is_finite(), label() + String(": `mask_region` must be finite."));
-	if (replace(_mask_region, p_region.abs())) {
-		emit_changed();
-	}
+	replace_in(*this, _mask_region, p_region.abs());
 }
 
 void GrassFillRule::set_group(int64_t p_group, const StringName &p_name) {
 	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
-	if (replace(_groups[size_t(p_group)], p_name)) {
-		emit_changed();
-	}
+	replace_in(*this, _groups[size_t(p_group)], p_name);
 }
 
 StringName GrassFillRule::get_group(int64_t p_group) const {
@@ -145,9 +135,7 @@ void GrassFillRule::set_texture_ids(const PackedInt32Array &p_ids) {
 						int64_t(p_ids[i])));
 		ids.push_back(uint8_t(p_ids[i]));
 	}
-	if (replace(_rule.texture_ids, ids)) {
-		emit_changed();
-	}
+	replace_in(*this, _rule.texture_ids, ids);
 }
 
 PackedInt32Array GrassFillRule::get_texture_ids() const {
@@ -205,11 +193,7 @@ void GrassFillRule::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassFillRule::get_param);
 	ClassDB::bind_method(D_METHOD("_set_group", "group", "name"), &GrassFillRule::set_group);
 	ClassDB::bind_method(D_METHOD("_get_group", "group"), &GrassFillRule::get_group);
-	const auto add_numbers = [](int p_first, int p_last) {
-		for (int param = p_first; param <= p_last; param++) {
-			ClassDB::add_property("GrassFillRule", property_of(FILL_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
-		}
-	};
+	const auto add_numbers = [](int p_first, int p_last) { add_params("GrassFillRule", FILL_PARAMS, p_first, p_last); };
 	const auto add_group = [](const char *p_name, Group p_group) {
 		ClassDB::add_property("GrassFillRule", PropertyInfo(Variant::STRING_NAME, p_name), "_set_group", "_get_group", p_group);
 	};

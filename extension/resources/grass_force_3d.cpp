@@ -9,30 +9,19 @@
 
 #include <godot_cpp/classes/sphere_shape3d.hpp>
 
-#include <algorithm>
-#include <set>
-
 using namespace godot;
 
 namespace grass {
 
 namespace {
 
-// Nodes enter and leave on the main thread.
-std::set<GrassForce3D *> forces_in_tree;
-
 const Color FORCE_COLOR(0.55f, 0.85f, 0.95f);
 
 } // namespace
 
-bool GrassForce3D::is_any_in_tree() {
-	return !forces_in_tree.empty();
-}
-
 std::vector<GrassForce3D *> GrassForce3D::get_blowing() {
-	std::vector<GrassForce3D *> blowing;
-	std::ranges::copy_if(forces_in_tree, std::back_inserter(blowing), [](const GrassForce3D *p_force) { return p_force->is_blowing(); });
-	std::ranges::sort(blowing, {}, [](const GrassForce3D *p_force) { return p_force->get_instance_id(); });
+	std::vector<GrassForce3D *> blowing = _nodes.get_all<GrassForce3D>();
+	std::erase_if(blowing, [](const GrassForce3D *p_force) { return !p_force->is_blowing(); });
 	return blowing;
 }
 
@@ -102,43 +91,27 @@ PackedStringArray GrassForce3D::_get_configuration_warnings() const {
 }
 
 void GrassForce3D::_notification(int p_what) {
-	switch (p_what) {
-		case NOTIFICATION_ENTER_WORLD:
-			forces_in_tree.insert(this);
-			_force.age = 0.0;
-			set_notify_transform(true);
-			set_physics_process_internal(true);
-			update_picture();
-			break;
-		case NOTIFICATION_EXIT_WORLD:
-			forces_in_tree.erase(this);
-			set_physics_process_internal(false);
-			_is_fired = false;
-			_picture.free();
-			break;
-		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			_force.age += get_physics_process_delta_time();
-			_is_fired = _is_fired && _force.age < _duration;
-			break;
-		case NOTIFICATION_TRANSFORM_CHANGED:
-		case NOTIFICATION_VISIBILITY_CHANGED:
-			_picture.follow(*this);
-			break;
+	if (_nodes.notify(*this, p_what, _picture)) {
+		_force.age = 0.0;
+		set_physics_process_internal(true);
+		update_picture();
+	} else if (p_what == NOTIFICATION_EXIT_WORLD) {
+		set_physics_process_internal(false);
+		_is_fired = false;
+	} else if (p_what == NOTIFICATION_INTERNAL_PHYSICS_PROCESS) {
+		_force.age += get_physics_process_delta_time();
+		_is_fired = _is_fired && _force.age < _duration;
 	}
 }
 
 void GrassForce3D::update_picture() {
-	if (forces_in_tree.count(this) > 0) {
-		_picture.show(
-				*this,
-				[this] {
-					Ref<SphereShape3D> sphere;
-					sphere.instantiate();
-					sphere->set_radius(real_t(_force.radius));
-					return sphere->get_debug_mesh();
-				},
-				FORCE_COLOR);
-	}
+	const auto make = [this] {
+		Ref<SphereShape3D> sphere;
+		sphere.instantiate();
+		sphere->set_radius(real_t(_force.radius));
+		return sphere->get_debug_mesh();
+	};
+	_nodes.show(*this, make, FORCE_COLOR, _picture);
 }
 
 void GrassForce3D::_validate_property(PropertyInfo &p_property) const {

@@ -43,7 +43,7 @@ public:
 
 	// Returns those in the tree that blow, in the order of their creation.
 	static std::vector<GrassForce3D *> get_blowing();
-	static bool is_any_in_tree();
+	static bool is_any_in_tree() { return !_nodes.is_empty(); }
 	Force get_force(); // in global space; in a rendered frame as drawn
 
 protected:
@@ -60,6 +60,7 @@ private:
 	bool _enabled = true;
 	bool _is_fired = false; // a blast has begun and is not over
 	EditorPicture _picture;
+	static inline PicturedNodes _nodes; // all in the tree
 };
 
 } // namespace grass

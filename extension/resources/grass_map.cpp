@@ -6,7 +6,6 @@
 #include "resources/size_limits.h"
 #include "shared/bind_property.h"
 #include "shared/convert.h"
-#include "shared/label.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
 
@@ -29,10 +28,6 @@ TypedArray<Vector2i> to_chunks(const std::vector<MapKey> &p_keys) {
 }
 
 } // namespace
-
-String GrassMap::label() const {
-	return label_of(*this);
-}
 
 String GrassMap::find_refusal() const {
 	if (!may_change(*this)) {

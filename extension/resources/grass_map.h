@@ -8,6 +8,7 @@
 #include "core/paint/lay_ground.h"
 #include "resources/grass_brush.h"
 #include "resources/grass_fill_rule.h"
+#include "shared/label.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -150,7 +151,7 @@ private:
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
 	void tell(const std::vector<MapKey> &p_changed, bool p_has_base_changed); // for whole chunks, or for everywhere
 	void tell_of_replacing(const PaintMap &p_before);
-	godot::String label() const; // for messages
+	godot::String label() const { return label_of(*this); } // for messages
 
 	mutable std::mutex _lock; // guards _map and _unread
 	PaintMap _map;

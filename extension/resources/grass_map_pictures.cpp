@@ -23,39 +23,33 @@ PictureProblem refuse(const String &p_text, Error p_error = ERR_INVALID_PARAMETE
 	return { p_error, p_text };
 }
 
-// How pixels of an image are stored; half floats must be converted before.
+struct ImageFormat {
+	Image::Format image;
+	PixelFormat pixels;
+};
+
+// How pixels of an image are stored; half floats must be converted before. Of formats alike, the first is the one that pictures get.
+constexpr ImageFormat FORMATS[] = {
+	{ Image::FORMAT_L8, { 1, false, false } },
+	{ Image::FORMAT_R8, { 1, false, false } },
+	{ Image::FORMAT_LA8, { 1, true, false } },
+	{ Image::FORMAT_RG8, { 2, false, false } },
+	{ Image::FORMAT_RGB8, { 3, false, false } },
+	{ Image::FORMAT_RGBA8, { 3, true, false } },
+	{ Image::FORMAT_RF, { 1, false, true } },
+	{ Image::FORMAT_RGF, { 2, false, true } },
+	{ Image::FORMAT_RGBF, { 3, false, true } },
+	{ Image::FORMAT_RGBAF, { 3, true, true } },
+};
+
 std::optional<PixelFormat> format_of(Image::Format p_format) {
-	switch (p_format) {
-		case Image::FORMAT_L8:
-		case Image::FORMAT_R8:
-			return PixelFormat{ 1, false, false };
-		case Image::FORMAT_LA8:
-			return PixelFormat{ 1, true, false };
-		case Image::FORMAT_RG8:
-			return PixelFormat{ 2, false, false };
-		case Image::FORMAT_RGB8:
-			return PixelFormat{ 3, false, false };
-		case Image::FORMAT_RGBA8:
-			return PixelFormat{ 3, true, false };
-		case Image::FORMAT_RF:
-			return PixelFormat{ 1, false, true };
-		case Image::FORMAT_RGF:
-			return PixelFormat{ 2, false, true };
-		case Image::FORMAT_RGBF:
-			return PixelFormat{ 3, false, true };
-		case Image::FORMAT_RGBAF:
-			return PixelFormat{ 3, true, true };
-		default:
-			return {};
-	}
+	const ImageFormat *found = std::ranges::find(FORMATS, p_format, &ImageFormat::image);
+	return found != std::end(FORMATS) ? std::optional(found->pixels) : std::nullopt;
 }
 
+// p_format: a picture_format().
 Image::Format image_format(const PixelFormat &p_format) {
-	if (p_format.colors == 1) {
-		return p_format.is_float ? Image::FORMAT_RF : Image::FORMAT_L8;
-	}
-	return p_format.has_alpha ? (p_format.is_float ? Image::FORMAT_RGBAF : Image::FORMAT_RGBA8)
-							  : (p_format.is_float ? Image::FORMAT_RGBF : Image::FORMAT_RGB8);
+	return std::ranges::find(FORMATS, p_format, &ImageFormat::pixels)->image;
 }
 
 // Returns the image with whole floats instead of half ones.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_patch.h"
 
+#include "shared/bind_property.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
 #include "shared/property_value.h"
@@ -140,12 +141,11 @@ void GrassPatch::free_default() {
 }
 
 void GrassPatch::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &GrassPatch::set_seed);
-	ClassDB::bind_method(D_METHOD("get_seed"), &GrassPatch::get_seed);
 	ClassDB::bind_method(D_METHOD("set_param", "param", "value"), &GrassPatch::set_param);
 	ClassDB::bind_method(D_METHOD("get_param", "param"), &GrassPatch::get_param);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), "set_seed", "get_seed");
+	GRASS_BIND_PROPERTY_AS(
+			GrassPatch, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed, "seed");
 	ADD_GROUP("Size", "");
 	for (int param = PARAM_LENGTH_MIN; param <= PARAM_WIDTH_MAX; param++) {
 		ADD_PROPERTYI(property_of(tunable_of(Param(param))), "set_param", "get_param", param);

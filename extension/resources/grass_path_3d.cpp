@@ -12,8 +12,6 @@ namespace grass {
 
 namespace {
 
-PicturedNodes paths;
-
 // A piece of the curve between two of its points is halved up to this often, until it bends by less than this angle: a metre of a curve of
 // 10 m is off by some millimetres.
 constexpr int HALVINGS = 6;
@@ -25,14 +23,6 @@ const Color CLEAR_COLOR(0.99f, 0.5f, 0.5f), PLANT_COLOR(0.56f, 0.94f, 0.59f);
 
 GrassPath3D::GrassPath3D() {
 	connect("curve_changed", callable_mp(this, &GrassPath3D::_changed));
-}
-
-std::vector<GrassPath3D *> GrassPath3D::get_all() {
-	return paths.get_all<GrassPath3D>();
-}
-
-uint64_t GrassPath3D::get_revision() {
-	return paths.get_revision();
 }
 
 PackedVector3Array GrassPath3D::get_points() const {
@@ -48,9 +38,8 @@ bool GrassPath3D::concerns(const Node *p_field) const {
 }
 
 void GrassPath3D::_changed() {
-	paths.count_change();
-	update_picture();
-	update_configuration_warnings();
+	_nodes.change(
+			*this, [this] { return make_picture(); }, _mode == MODE_PLANT ? PLANT_COLOR : CLEAR_COLOR, _picture);
 }
 
 void GrassPath3D::set_mode(Mode p_mode) {
@@ -94,7 +83,7 @@ PackedStringArray GrassPath3D::_get_configuration_warnings() const {
 }
 
 void GrassPath3D::_notification(int p_what) {
-	if (paths.notify(*this, p_what, _picture)) {
+	if (_nodes.notify(*this, p_what, _picture)) {
 		_changed();
 	}
 }
@@ -111,13 +100,6 @@ Ref<ArrayMesh> GrassPath3D::make_picture() const {
 		}
 	}
 	return EditorPicture::mesh_of(lines);
-}
-
-void GrassPath3D::update_picture() {
-	if (paths.has(this)) {
-		_picture.show(
-				*this, [this] { return make_picture(); }, _mode == MODE_PLANT ? PLANT_COLOR : CLEAR_COLOR);
-	}
 }
 
 void GrassPath3D::_bind_methods() {

@@ -14,8 +14,6 @@
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 
-#include <vector>
-
 namespace grass {
 
 class GrassPath3D : public godot::Path3D {
@@ -46,10 +44,7 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Returns all nodes in the tree, in the order of their creation.
-	static std::vector<GrassPath3D *> get_all();
-	// Returns a number that changes whenever one of them is added, removed, moved or changed.
-	static uint64_t get_revision();
+	static const PicturedNodes &get_nodes() { return _nodes; }
 
 protected:
 	static void _bind_methods();
@@ -58,7 +53,6 @@ protected:
 private:
 	godot::String label() const { return label_of(*this); } // for messages
 	void _changed();
-	void update_picture();
 	godot::Ref<godot::ArrayMesh> make_picture() const;
 
 	Mode _mode = MODE_CLEAR;
@@ -66,6 +60,7 @@ private:
 	godot::StringName _field_group;
 	bool _enabled = true;
 	EditorPicture _picture;
+	static inline PicturedNodes _nodes; // all in the tree
 };
 
 } // namespace grass

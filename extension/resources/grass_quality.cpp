@@ -3,7 +3,7 @@
 
 #include "shared/main_thread.h"
 #include "shared/params.h"
-#include "shared/property_value.h"
+#include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
@@ -127,9 +127,7 @@ void GrassQuality::reset_level() {
 
 void GrassQuality::set_param(int64_t p_param, double p_value) {
 	ERR_FAIL_INDEX(p_param, int64_t(QUALITY_FACTORS));
-	if (replace(_quality.factors[size_t(p_param)], checked(QUALITY_TABLE[size_t(p_param)].tunable, p_value, label()))) {
-		emit_changed();
-	}
+	replace_in(*this, _quality.factors[size_t(p_param)], checked(QUALITY_TABLE[size_t(p_param)].tunable, p_value, label()));
 }
 
 double GrassQuality::get_param(int64_t p_param) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_species.h"
 
+#include "shared/bind_property.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
 #include "shared/watch_resource.h"
@@ -16,9 +17,6 @@ using namespace godot;
 namespace grass {
 
 GrassSpecies::GrassSpecies() {
-	for (size_t i = 0; i < _params.size(); i++) {
-		_params[i] = SPECIES_PARAMS[i].initial;
-	}
 	for (size_t i = 0; i < _colors.size(); i++) {
 		_colors[i] = Color(SPECIES_COLORS[i].red, SPECIES_COLORS[i].green, SPECIES_COLORS[i].blue);
 	}
@@ -64,9 +62,7 @@ void GrassSpecies::set_plant_mesh(const Ref<Mesh> &p_mesh) {
 
 void GrassSpecies::set_plant_scene(const Ref<PackedScene> &p_scene) {
 	GRASS_CHANGE_GUARD(label());
-	if (replace(_plant_scene, p_scene)) {
-		emit_changed();
-	}
+	replace_in(*this, _plant_scene, p_scene);
 }
 
 float GrassSpecies::find_plant_height(float p_mean_length) const {
@@ -133,9 +129,7 @@ Variant GrassSpecies::_get_param(int64_t p_param) const {
 void GrassSpecies::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
-	if (replace(_colors[size_t(p_index)], p_color)) {
-		emit_changed();
-	}
+	replace_in(*this, _colors[size_t(p_index)], p_color);
 }
 
 Color GrassSpecies::get_color(int64_t p_index) const {
@@ -223,25 +217,7 @@ void GrassSpecies::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassSpecies::_get_param);
 	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassSpecies::set_color);
 	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassSpecies::get_color);
-	ClassDB::bind_method(D_METHOD("set_patch", "patch"), &GrassSpecies::set_patch);
-	ClassDB::bind_method(D_METHOD("get_patch"), &GrassSpecies::get_patch);
-	ClassDB::bind_method(D_METHOD("set_gradient", "gradient"), &GrassSpecies::set_gradient);
-	ClassDB::bind_method(D_METHOD("get_gradient"), &GrassSpecies::get_gradient);
-
-	ClassDB::bind_method(D_METHOD("set_card", "card"), &GrassSpecies::set_card);
-	ClassDB::bind_method(D_METHOD("get_card"), &GrassSpecies::get_card);
-	ClassDB::bind_method(D_METHOD("set_leaf", "leaf"), &GrassSpecies::set_leaf);
-	ClassDB::bind_method(D_METHOD("get_leaf"), &GrassSpecies::get_leaf);
-	ClassDB::bind_method(D_METHOD("set_plant_mesh", "mesh"), &GrassSpecies::set_plant_mesh);
-	ClassDB::bind_method(D_METHOD("get_plant_mesh"), &GrassSpecies::get_plant_mesh);
-	ClassDB::bind_method(D_METHOD("set_plant_scene", "scene"), &GrassSpecies::set_plant_scene);
-	ClassDB::bind_method(D_METHOD("get_plant_scene"), &GrassSpecies::get_plant_scene);
-
-	const auto add_numbers = [](int p_first, int p_last) {
-		for (int param = p_first; param <= p_last; param++) {
-			ClassDB::add_property("GrassSpecies", property_of(SPECIES_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
-		}
-	};
+	const auto add_numbers = [](int p_first, int p_last) { add_params("GrassSpecies", SPECIES_PARAMS, p_first, p_last); };
 	const auto add_colors = [](int p_first, int p_last) {
 		for (int color = p_first; color <= p_last; color++) {
 			ClassDB::add_property("GrassSpecies",
@@ -249,7 +225,8 @@ void GrassSpecies::_bind_methods() {
 					"_get_color", color);
 		}
 	};
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), "set_patch", "get_patch");
+	GRASS_BIND_PROPERTY_AS(
+			GrassSpecies, PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch, "patch");
 	ADD_GROUP("Mix", "");
 	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_STAND_STRENGTH);
 	ADD_GROUP("Simulation", "");
@@ -258,20 +235,24 @@ void GrassSpecies::_bind_methods() {
 	add_numbers(SPECIES_PARAM_WEAR_RECOVERY, SPECIES_PARAM_WEAR_RECOVERY);
 	ADD_GROUP("Look", "");
 	add_colors(SPECIES_ROOT_COLOR, SPECIES_DRY_COLOR);
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "gradient", PROPERTY_HINT_RESOURCE_TYPE, "Gradient"), "set_gradient", "get_gradient");
+	GRASS_BIND_PROPERTY_AS(GrassSpecies, PropertyInfo(Variant::OBJECT, "gradient", PROPERTY_HINT_RESOURCE_TYPE, "Gradient"), set_gradient,
+			get_gradient, "gradient");
 	add_numbers(SPECIES_PARAM_DRY, SPECIES_PARAM_DRY);
 	ADD_GROUP("Card", "card");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_card", "get_card");
+	GRASS_BIND_PROPERTY_AS(
+			GrassSpecies, PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_card, get_card, "card");
 	add_colors(SPECIES_CARD_COLOR, SPECIES_CARD_COLOR);
 	add_numbers(SPECIES_PARAM_CARD_SHARE, SPECIES_PARAM_CARD_PICTURES);
 	ADD_GROUP("Leaf", "leaf");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "leaf", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_leaf", "get_leaf");
+	GRASS_BIND_PROPERTY_AS(
+			GrassSpecies, PropertyInfo(Variant::OBJECT, "leaf", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_leaf, get_leaf, "leaf");
 	add_numbers(SPECIES_PARAM_LEAF_SIZE, SPECIES_PARAM_LEAF_SIZE);
 	ADD_GROUP("Plant", "");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "plant_mesh", PROPERTY_HINT_RESOURCE_TYPE, "Mesh"), "set_plant_mesh", "get_plant_mesh");
+	GRASS_BIND_PROPERTY_AS(GrassSpecies, PropertyInfo(Variant::OBJECT, "plant_mesh", PROPERTY_HINT_RESOURCE_TYPE, "Mesh"), set_plant_mesh,
+			get_plant_mesh, "mesh");
 	add_numbers(SPECIES_PARAM_PLANT_DISTANCE, SPECIES_PARAM_STEMS);
-	ADD_PROPERTY(
-			PropertyInfo(Variant::OBJECT, "plant_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"), "set_plant_scene", "get_plant_scene");
+	GRASS_BIND_PROPERTY_AS(GrassSpecies, PropertyInfo(Variant::OBJECT, "plant_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"),
+			set_plant_scene, get_plant_scene, "scene");
 	add_numbers(SPECIES_PARAM_PLANT_SCENE_DISTANCE, SPECIES_PARAM_PLANT_SCENE_DISTANCE);
 }
 

@@ -90,7 +90,7 @@ private:
 	godot::Ref<godot::Mesh> _plant_mesh;
 	godot::Ref<godot::PackedScene> _plant_scene;
 	mutable std::optional<PlantReading> _plant; // of _plant_mesh, read on first use
-	std::array<double, SPECIES_PARAM_COUNT> _params;
+	std::array<double, SPECIES_PARAM_COUNT> _params = initial_of(SPECIES_PARAMS);
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };
 

@@ -10,6 +10,7 @@
 #include <godot_cpp/variant/aabb.hpp>
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/plane.hpp>
 #include <godot_cpp/variant/projection.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
@@ -19,6 +20,7 @@
 
 #include <cstring>
 #include <span>
+#include <vector>
 
 namespace grass {
 
@@ -61,6 +63,15 @@ inline Eigen::Matrix4d to_eigen(const godot::Projection &p_projection) {
 // Converts a plane to n.x, n.y, n.z, d with n.x <= d on the inner side, which is also Godot's convention.
 inline Eigen::Vector4d to_eigen(const godot::Plane &p_plane) {
 	return { p_plane.normal.x, p_plane.normal.y, p_plane.normal.z, p_plane.d };
+}
+
+inline std::vector<Eigen::Vector3d> to_eigen(const godot::PackedVector3Array &p_points) {
+	std::vector<Eigen::Vector3d> points;
+	points.reserve(size_t(p_points.size()));
+	for (const godot::Vector3 &point : p_points) {
+		points.push_back(to_eigen(point));
+	}
+	return points;
 }
 
 inline godot::Vector2 to_godot(const Eigen::Vector2d &p_v) {

@@ -56,6 +56,19 @@ Ref<ArrayMesh> EditorPicture::mesh_of(const PackedVector3Array &p_lines) {
 	return mesh;
 }
 
+void PicturedNodes::show(
+		Node3D &p_node, const std::function<Ref<ArrayMesh>()> &p_make, const Color &p_color, EditorPicture &r_picture) const {
+	if (_nodes.contains(&p_node)) {
+		r_picture.show(p_node, p_make, p_color);
+	}
+}
+
+void PicturedNodes::change(Node3D &p_node, const std::function<Ref<ArrayMesh>()> &p_make, const Color &p_color, EditorPicture &r_picture) {
+	_revision++;
+	show(p_node, p_make, p_color, r_picture);
+	p_node.update_configuration_warnings();
+}
+
 bool PicturedNodes::notify(Node3D &p_node, int p_what, EditorPicture &r_picture) {
 	switch (p_what) {
 		case Node3D::NOTIFICATION_ENTER_WORLD:

@@ -41,9 +41,15 @@ class PicturedNodes {
 public:
 	// Must be called by their _notification(). Returns true if p_node entered the tree, so that it is to be drawn.
 	[[nodiscard]] bool notify(godot::Node3D &p_node, int p_what, EditorPicture &r_picture);
-	void count_change() { _revision++; }
+	// Shows the picture if p_node is in the tree, see EditorPicture::show().
+	void show(godot::Node3D &p_node, const std::function<godot::Ref<godot::ArrayMesh>()> &p_make, const godot::Color &p_color,
+			EditorPicture &r_picture) const;
+	// Counts a change, and shows the node as it is now.
+	void change(godot::Node3D &p_node, const std::function<godot::Ref<godot::ArrayMesh>()> &p_make, const godot::Color &p_color,
+			EditorPicture &r_picture);
+	// Returns a number that changes whenever one of them is added, removed, moved or changed.
 	uint64_t get_revision() const { return _revision; }
-	bool has(godot::Node3D *p_node) const { return _nodes.contains(p_node); }
+	bool is_empty() const { return _nodes.empty(); }
 	// Returns them in the order of their creation.
 	template <typename T> std::vector<T *> get_all() const {
 		std::vector<T *> all;

@@ -5,6 +5,7 @@
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/string.hpp>
 
 namespace grass {
@@ -31,3 +32,12 @@ inline godot::String call_of(const char *p_function) {
 
 // The same for a method of a resource, while a node in the tree uses it. m_label: label of the resource.
 #define GRASS_CHANGE_GUARD(m_label) ERR_FAIL_COND_MSG(!grass::may_change(*this), grass::thread_message(m_label, grass::call_of(__func__)))
+
+// Put this first in a method of an object that a signal may call on any thread: on another one it has the main thread call the method with
+// these arguments, later, and returns.
+#define GRASS_LATER_ON_MAIN_THREAD(m_method, ...)                                                                                          \
+	if (!grass::is_main_thread()) {                                                                                                        \
+		callable_mp(this, m_method).call_deferred(__VA_ARGS__);                                                                            \
+		return;                                                                                                                            \
+	} else                                                                                                                                 \
+		((void)0)

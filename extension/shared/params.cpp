@@ -23,6 +23,12 @@ PropertyInfo property_of(const Tunable &p_tunable) {
 	return PropertyInfo(Variant::FLOAT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
 }
 
+void add_params(const StringName &p_class, std::span<const Tunable> p_table, int p_first, int p_last) {
+	for (int param = p_first; param <= p_last; param++) {
+		ClassDB::add_property(p_class, property_of(p_table[size_t(param)]), "_set_param", "_get_param", param);
+	}
+}
+
 Variant property_value(const Tunable &p_tunable, double p_value) {
 	return p_tunable.is_whole ? Variant(int64_t(p_value)) : Variant(p_value);
 }

@@ -9,9 +9,13 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
+#include <span>
+
 namespace grass {
 
 godot::PropertyInfo property_of(const Tunable &p_tunable);
+// Adds the properties of p_table from p_first to p_last to a class that has _set_param() and _get_param().
+void add_params(const godot::StringName &p_class, std::span<const Tunable> p_table, int p_first, int p_last);
 
 // Returns the value for the property's getter: an int if the property is a whole number.
 godot::Variant property_value(const Tunable &p_tunable, double p_value);

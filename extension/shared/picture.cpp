@@ -25,4 +25,17 @@ Ref<Image> read_picture(const Ref<Image> &p_picture, String &r_problem) {
 	return copy;
 }
 
+Color mean_color(const Ref<Image> &p_image, int p_steps, float p_scissor) {
+	Color sum(0, 0, 0, 0);
+	for (int y = 0; y < p_steps; y++) {
+		for (int x = 0; x < p_steps; x++) {
+			const Color color =
+					p_image->get_pixel(x * p_image->get_width() / p_steps, y * p_image->get_height() / p_steps).srgb_to_linear();
+			sum += color.a < p_scissor ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
+		}
+	}
+	const float opaque = std::max(float(sum.a), 1.0f);
+	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(p_steps * p_steps));
+}
+
 } // namespace grass

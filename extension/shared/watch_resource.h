@@ -8,6 +8,13 @@
 
 namespace grass {
 
+// Replaces the value of a property of r_resource. If it was another, the resource emits `changed`.
+template <typename T> void replace_in(godot::Resource &r_resource, T &r_held, const std::type_identity_t<T> &p_new) {
+	if (replace(r_held, p_new)) {
+		r_resource.emit_changed();
+	}
+}
+
 // Replaces r_held by p_new, which may be null: from now on p_changed is called when p_new emits p_signal, and no longer for the old
 // resource. Returns false if r_held was p_new already.
 template <typename T>

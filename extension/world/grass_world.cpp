@@ -131,9 +131,7 @@ void GrassWorld::tell(const char *p_signal, const PlotKey &p_key, GrassField *p_
 	emit_signal(p_signal, Vector2i(p_key.x, p_key.z), p_field);
 }
 
-void GrassWorld::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
-	(void)p_body_shape;
-	(void)p_area_shape;
+void GrassWorld::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t, int64_t) {
 	_eyes.body_changed(p_status, p_body, p_instance_id);
 }
 

@@ -67,12 +67,7 @@ int64_t KeptPlots::carry(const PlotsPlace &p_place) {
 }
 
 void KeptPlots::keep_only(const PlotsPlace &p_place) {
-	for (auto next = _maps.begin(); next != _maps.end();) {
-		const auto here = next++;
-		if (!(here->first == p_place)) {
-			_maps.erase(here);
-		}
-	}
+	std::erase_if(_maps, [&](const auto &p_entry) { return !(p_entry.first == p_place); });
 }
 
 int64_t KeptPlots::count() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/frame_turns.h"
 
+#include <algorithm>
+
 namespace grass {
 
 void FrameTurns::enter_frame(uint64_t p_frame) {
@@ -12,24 +14,14 @@ void FrameTurns::enter_frame(uint64_t p_frame) {
 }
 
 bool FrameTurns::is_next(const void *p_user, const Waiting &p_waiting) const {
-	if (_is_given || p_waiting.since == _frame) {
-		return false;
-	}
-	for (const auto &[user, waiting] : _waiting) {
-		if (user != p_user && waiting.order < p_waiting.order) {
-			return false;
-		}
-	}
-	return true;
+	return !_is_given && p_waiting.since != _frame && std::ranges::none_of(_waiting, [&](const auto &p_entry) {
+		return p_entry.first != p_user && p_entry.second.order < p_waiting.order;
+	});
 }
 
 bool FrameTurns::is_owed(const void *p_user) const {
-	for (const auto &[user, waiting] : _waiting) {
-		if (user != p_user && is_next(user, waiting)) {
-			return true;
-		}
-	}
-	return false;
+	return std::ranges::any_of(
+			_waiting, [&](const auto &p_entry) { return p_entry.first != p_user && is_next(p_entry.first, p_entry.second); });
 }
 
 bool FrameTurns::ask(const void *p_user, bool p_has_room) {

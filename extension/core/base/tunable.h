@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace grass {
@@ -21,5 +22,12 @@ struct Tunable {
 	double whole(double p_value) const { return is_whole ? std::trunc(p_value) : p_value; }
 	bool allows(double p_value) const { return p_value >= minimum && p_value <= maximum; }
 };
+
+// Returns the defaults of a table.
+template <size_t N> constexpr std::array<double, N> initial_of(const std::array<Tunable, N> &p_table) {
+	std::array<double, N> values{};
+	std::ranges::transform(p_table, values.begin(), &Tunable::initial);
+	return values;
+}
 
 } // namespace grass

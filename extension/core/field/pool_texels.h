@@ -35,7 +35,6 @@ public:
 	// Makes the texels of a texture of p_rows, with p_share of the last step, 0..1. Returns whether they have changed.
 	bool show(const CpuPool &p_pool, int p_rows, float p_share);
 	std::span<const uint16_t> get_shown() const { return _is_between ? _shown : _now; }
-	int get_rows() const { return _rows; }
 	size_t get_memory_usage() const { // bytes
 		return (_now.capacity() + _earlier.capacity() + _shown.capacity()) * sizeof(uint16_t) + _changed.get_memory_usage() +
 				_moved.get_memory_usage() + _settled.get_memory_usage();

@@ -68,12 +68,6 @@ double FillMask::sample(const Eigen::Vector2d &p_at) const {
 	return blend(near_row, far_row, t.y()) / 255.0;
 }
 
-FillRule::FillRule() {
-	for (size_t i = 0; i < params.size(); i++) {
-		params[i] = FILL_PARAMS[i].initial;
-	}
-}
-
 bool FillRule::asks_height() const {
 	return get(FILL_HEIGHT_MIN) > FILL_PARAMS[FILL_HEIGHT_MIN].minimum || get(FILL_HEIGHT_MAX) < FILL_PARAMS[FILL_HEIGHT_MAX].maximum;
 }

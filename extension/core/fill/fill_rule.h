@@ -25,7 +25,7 @@ struct FillMask {
 };
 
 struct FillRule {
-	std::array<double, FILL_PARAM_COUNT> params; // FILL_PARAMS, in their units
+	std::array<double, FILL_PARAM_COUNT> params = initial_of(FILL_PARAMS); // in their units
 	uint32_t seed = 0;
 	bool has_mask = false; // while its picture is not loaded, nothing grows
 	std::shared_ptr<const FillMask> mask;
@@ -35,7 +35,6 @@ struct FillRule {
 	Eigen::Vector2d noise_origin = Eigen::Vector2d::Zero(); // the map's origin in the noise, metres
 	std::vector<uint8_t> texture_ids; // textures of the terrain on which grass grows; empty: all
 
-	FillRule();
 	bool operator==(const FillRule &) const = default;
 
 	double get(FillParamId p_param) const { return params[size_t(p_param)]; }

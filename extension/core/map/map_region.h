@@ -15,6 +15,7 @@ struct MapRegion {
 	bool contains(const Eigen::Vector2d &p_place) const {
 		return (p_place.array() >= min.array()).all() && (p_place.array() <= max.array()).all();
 	}
+	bool has_area() const { return (min.array() < max.array()).all(); }
 	MapRegion grown(double p_metres) const;
 	MapRegion joined(const MapRegion &p_other) const;
 	MapRegion shared(const MapRegion &p_other) const; // empty if min > max along an axis

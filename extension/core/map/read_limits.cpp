@@ -8,8 +8,7 @@ namespace grass {
 bool ReadLimits::allow(const MapKey &p_key) const {
 	const MapRegion chunk = MapRegion::of_chunk(p_key);
 	return PaintMap::is_in_reach(p_key) && (regions.empty() || std::any_of(regions.begin(), regions.end(), [&](const MapRegion &p_region) {
-		const MapRegion shared = chunk.shared(p_region);
-		return (shared.min.array() < shared.max.array()).all();
+		return chunk.shared(p_region).has_area();
 	}));
 }
 

@@ -25,6 +25,7 @@ struct PixelFormat {
 
 	int numbers() const { return colors + (has_alpha ? 1 : 0); }
 	size_t bytes() const { return size_t(numbers()) * (is_float ? 4 : 1); }
+	bool operator==(const PixelFormat &) const = default;
 };
 
 using Pixels = std::vector<uint8_t>;
