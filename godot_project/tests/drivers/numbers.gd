@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## Still grass in small pictures, for tools/test/drivers.py, which starts this in each renderer with the layer of tests/drivers/ and
-## without, and compares the pictures: `-- --folder=FOLDER` is where they go. It has everything that is drawn with several levels of detail:
-## shadows, motion vectors, cards, plants, a painted map, a surface hook, several cameras.
+## Still grass in small pictures, for tools/test/drivers.py, which starts this in each renderer twice under the layer of tests/drivers/,
+## with instances that count from 0 and as they are, and compares the pictures: `-- --folder=FOLDER` is where they go. It has everything
+## that is drawn with several levels of detail: shadows, motion vectors, cards, plants, a painted map, a surface hook, several cameras.
 extends Node3D
 
 const SIZE := Vector2i(240, 136)
@@ -39,6 +39,7 @@ func _draw_plain() -> void:
 	while Engine.get_frames_drawn() % JITTERS != 0:
 		await RenderingServer.frame_post_draw
 	viewport.use_taa = true
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	for frame in TAA_FRAMES:
 		await RenderingServer.frame_post_draw
 	viewport.get_texture().get_image().save_png(_folder.path_join("taa.png"))
@@ -70,6 +71,8 @@ func _draw_rich() -> void:
 	var field := _add_field(viewport, {map = map, species = species, surface_hook = hook})
 	await _shown([field])
 	await _save(viewport, "species")
+	other.render_target_update_mode = SubViewport.UPDATE_ONCE
+	await RenderingServer.frame_post_draw
 	other.get_texture().get_image().save_png(_folder.path_join("camera.png"))
 	viewport.free()
 	other.free()
@@ -79,7 +82,7 @@ func _add_viewport(world: World3D) -> SubViewport:
 	var viewport := SubViewport.new()
 	viewport.size = SIZE
 	viewport.world_3d = world
-	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	viewport.render_target_update_mode = SubViewport.UPDATE_WHEN_VISIBLE  # fields see its camera; it is drawn for its pictures
 	add_child(viewport)
 	var camera := Camera3D.new()
 	viewport.add_child(camera)
@@ -118,8 +121,10 @@ func _is_shown(field: GrassField) -> bool:
 
 
 func _save(viewport: SubViewport, picture: String) -> void:
-	for frame in 3:
+	for frame in 2:
 		await RenderingServer.frame_post_draw
+	viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+	await RenderingServer.frame_post_draw
 	viewport.get_texture().get_image().save_png(_folder.path_join(picture + ".png"))
 	for field: GrassField in viewport.find_children("*", "GrassField", true, false):
 		var now := field.get_statistics().merged(field.get_counters())
