@@ -66,7 +66,6 @@ func _open(stage: Node) -> void:
 	_viewport.size = SIZE
 	_viewport.own_world_3d = true
 	_viewport.msaa_3d = Viewport.MSAA_4X
-	_viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	var world := WorldEnvironment.new()
 	world.environment = Environment.new()
 	world.environment.background_mode = Environment.BG_COLOR
@@ -122,11 +121,12 @@ func _field(name: String) -> GrassField:
 
 func _shown(stage: Node, field: GrassField) -> void:
 	var start := Time.get_ticks_msec()
-	_viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED  # of the frames in between nobody needs a picture
+	_viewport.render_target_update_mode = SubViewport.UPDATE_WHEN_VISIBLE  # fields see its camera; it is drawn once, for its picture
 	for i in TICKS:
 		await stage.get_tree().physics_frame
-	_viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() - start < 60000:
 		await stage.get_tree().process_frame
-	for i in 3:
+	for i in 2:
 		await RenderingServer.frame_post_draw
+	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+	await RenderingServer.frame_post_draw

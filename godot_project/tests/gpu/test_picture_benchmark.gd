@@ -12,6 +12,7 @@ func make_shaders(pictures: Pictures) -> void:
 		var field := pictures._field(name)
 		viewport.add_child(field)
 		await fields_shown()
+		await seen()  # a body that lies in the grass needs passes of its own
 		await compiled(field)
 		field.free()
 
