@@ -160,14 +160,14 @@ func test_nothing_jumps_as_blades_join() -> void:
 
 
 ## A wind bends the grass and is gone. Unlike a body it amplifies no rounding.
-func blow() -> void:
+func blow(count := 30) -> void:
 	var wind := GrassForce3D.new()
 	wind.kind = GrassForce3D.KIND_WIND
 	wind.speed = 8.0
 	wind.radius = 6.0
 	wind.turbulence = 0.0
 	viewport.add_child(wind)
-	await ticks(30)
+	await ticks(count)
 	wind.free()
 
 
@@ -184,10 +184,10 @@ func test_far_blades_with_half_of_their_joints_swing_as_whole_ones_and_as_on_the
 	var fields := add_whole_and_seen()
 	fields.append(add_whole_and_seen({backend = GrassField.BACKEND_CPU})[1])
 	await fields_shown()
-	await blow()
+	await blow(3)
 	await ticks(10)  # the first step of halved chains asks for their pass
 	await compiled(fields[1])
-	await ticks(60)
+	await ticks(20)
 	await blow()
 	await ticks(10)
 	var before := fields[1].get_counters()
