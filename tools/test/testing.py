@@ -84,7 +84,9 @@ def copy_project(light):
 	with open(EDITED / "project.godot", "a") as file:
 		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # the scene that the editor opens first
 		if light:
-			file.write("\n[rendering]\n\nanti_aliasing/quality/msaa_3d=0\nlights_and_shadows/directional_shadow/size=1024\n")
+			file.write(
+				"\n[rendering]\n\nanti_aliasing/quality/msaa_3d=0\nscaling_3d/scale=0.5\nlights_and_shadows/directional_shadow/size=1024\n"
+			)
 		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
 
 

@@ -205,13 +205,21 @@ func shoot(picture: String) -> void:
 	(await seen()).save_png(ProjectSettings.globalize_path("res://").path_join("../%s.png" % picture))
 
 
+## Whether the view is drawn in all of its pixels, as tests of single ones want, or as coarsely as the project says (tools/test/testing.py).
+func draw_finely(finely: bool) -> void:
+	var scale: float = 1.0 if finely else ProjectSettings.get_setting("rendering/scaling_3d/scale")
+	EditorInterface.get_editor_viewport_3d(0).scaling_3d_scale = scale
+
+
 ## Hides the view's grid: software Vulkan draws grey squares around it.
 func seen() -> Image:
 	_show_grid(false)
+	draw_finely(true)
 	await frames(3)
 	EditorInterface.get_base_control().queue_redraw()  # an idle editor draws no frame
 	await RenderingServer.frame_post_draw
 	var image := get_tree().root.get_texture().get_image()
+	draw_finely(false)
 	_show_grid(true)
 	return image
 

@@ -154,6 +154,7 @@ func test_the_veil_is_strongest_where_the_brush_is() -> void:
 	set_number("Hardness", 0.2)
 	set_number("Radius", 2.0)
 	set_number("Strength", 1.0)
+	draw_finely(true)
 	await hover(FAR)
 	var without := await colors_of([NEAR, Vector3(1.2, 0, 0), Vector3(3, 0, 0)])
 	await hover(NEAR)
@@ -165,6 +166,7 @@ func test_the_veil_is_strongest_where_the_brush_is() -> void:
 	assert_greater(changes[1], changes[2] + 0.02, "on the soft border")
 	assert_near(changes[2], 0.0, 0.02, "outside")
 	field.visible = true
+	draw_finely(false)
 
 
 func colors_of(places: Array) -> Array[Color]:
