@@ -26,7 +26,7 @@ struct {
 	uint64_t frame = UINT64_MAX;
 	uint64_t taken = 0; // microseconds, of finished turns
 	FrameShare::Most done;
-} current;
+} so_far;
 
 // Turns within turns add no time of their own.
 int open_turns = 0;
@@ -40,14 +40,14 @@ uint64_t now() {
 }
 
 void enter_frame() {
-	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); current.frame != this_frame) {
-		current = { this_frame, 0, {} };
+	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); so_far.frame != this_frame) {
+		so_far = { this_frame, 0, {} };
 		turns.enter_frame(this_frame);
 	}
 }
 
 bool is_time_left() {
-	return current.taken + (now() - open_since) < (worlds > 0 ? SHARE_OF_WORLDS : SHARE);
+	return so_far.taken + (now() - open_since) < (worlds > 0 ? SHARE_OF_WORLDS : SHARE);
 }
 
 } // namespace
@@ -61,7 +61,7 @@ FrameShare::Turn::Turn(const void *p_user) : _user(p_user) {
 
 FrameShare::Turn::~Turn() {
 	if (--open_turns == 0) {
-		current.taken += now() - open_since;
+		so_far.taken += now() - open_since;
 	}
 }
 
@@ -71,18 +71,18 @@ bool FrameShare::Turn::has_time() {
 
 bool FrameShare::Turn::has_part() {
 	const int64_t room = PARTS - (turns.is_owed(_user) ? 1 : 0);
-	if (!turns.ask(_user, current.done.parts < room && is_time_left())) {
+	if (!turns.ask(_user, so_far.done.parts < room && is_time_left())) {
 		return false;
 	}
-	current.done.parts++;
-	most.parts = std::max(most.parts, current.done.parts);
+	so_far.done.parts++;
+	most.parts = std::max(most.parts, so_far.done.parts);
 	return true;
 }
 
 void FrameShare::count_bytes(int64_t p_bytes) {
 	enter_frame();
-	current.done.bytes += p_bytes;
-	most.bytes = std::max(most.bytes, current.done.bytes);
+	so_far.done.bytes += p_bytes;
+	most.bytes = std::max(most.bytes, so_far.done.bytes);
 }
 
 void FrameShare::spare(bool p_begins) {

@@ -58,11 +58,11 @@ float highest_of(const Ref<Mesh> &p_mesh) {
 }
 
 // What the triangles of a plant show, and how much of it, in bands from the root up. Areas in squared heights.
-struct Shown {
+struct BandSums {
 	std::array<Color, GRASS_PLANT_BANDS> colors; // times area
 	std::array<float, GRASS_PLANT_BANDS> areas, reaches; // reaches: farthest from the blade
 
-	Shown() {
+	BandSums() {
 		colors.fill(Color(0, 0, 0, 0));
 		areas.fill(0.0f);
 		reaches.fill(0.0f);
@@ -87,7 +87,7 @@ struct Shown {
 };
 
 // Derives the model's colours and area from what all of its triangles show.
-void find_looks(PlantModel &r_model, const Shown &p_shown) {
+void find_looks(PlantModel &r_model, const BandSums &p_shown) {
 	Color sum(0, 0, 0, 0);
 	float area = 0.0f;
 	for (size_t k = 0; k < p_shown.areas.size(); k++) {
@@ -116,7 +116,7 @@ void find_looks(PlantModel &r_model, const Shown &p_shown) {
 }
 
 // Adds a surface, and its triangles to what is shown.
-void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, Shown &r_shown, const String &p_who) {
+void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, BandSums &r_shown, const String &p_who) {
 	const Array from = p_mesh->surface_get_arrays(p_surface);
 	PackedVector3Array places = from[Mesh::ARRAY_VERTEX];
 	const PackedColorArray colors = from[Mesh::ARRAY_COLOR];
@@ -177,7 +177,7 @@ int64_t PlantModel::get_memory_usage() const {
 PlantReading read_plant(const Ref<Mesh> &p_mesh, const String &p_who) {
 	const float height = highest_of(p_mesh);
 	auto model = std::make_shared<PlantModel>();
-	Shown shown;
+	BandSums shown;
 	int surfaces = 0;
 	int64_t vertices = 0;
 	for (int s = 0; s < p_mesh->get_surface_count(); s++) {

@@ -100,9 +100,9 @@ struct ShaderJob {
 	std::atomic<bool> is_done = false;
 };
 
-using Key = std::tuple<const char *, int, std::string>; // address of the code, features, hook
-std::map<Key, Ref<Shader>> shaders;
-std::map<Key, std::shared_ptr<ShaderJob>> jobs; // that are not in `shaders` yet
+using ShaderKey = std::tuple<const char *, int, std::string>; // address of the code, features, hook
+std::map<ShaderKey, Ref<Shader>> shaders;
+std::map<ShaderKey, std::shared_ptr<ShaderJob>> jobs; // that are not in `shaders` yet
 TaskQueue queue("GrassField's shaders", TaskQueue::Priority::LOW);
 
 void release_shader_jobs();
@@ -134,7 +134,7 @@ void compile(Shader &p_shader) {
 	pool->wait_for_task_completion(pool->add_native_task([](void *) {}, nullptr, true, "GrassField's mark behind a shader"));
 }
 
-Key key_of(const ShaderText &p_text) {
+ShaderKey key_of(const ShaderText &p_text) {
 	return { p_text.code, p_text.look.features, p_text.look.hook.utf8().get_data() };
 }
 } // namespace
@@ -166,7 +166,7 @@ String make_shader_code(const char *p_code, const Look &p_look) {
 }
 
 Ref<Shader> shared_shader(const ShaderText &p_text) {
-	const Key key = key_of(p_text);
+	const ShaderKey key = key_of(p_text);
 	const auto known = shaders.find(key);
 	if (known != shaders.end()) {
 		return known->second;
@@ -181,7 +181,7 @@ Ref<Shader> shared_shader(const ShaderText &p_text) {
 }
 
 bool prepare_shader(const ShaderText &p_text) {
-	const Key key = key_of(p_text);
+	const ShaderKey key = key_of(p_text);
 	if (shaders.contains(key)) {
 		return true;
 	}

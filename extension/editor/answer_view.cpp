@@ -15,7 +15,7 @@ namespace grass {
 namespace {
 
 // In the editor's unscaled pixels: distance of the text from the cursor, and its width.
-constexpr double BESIDE = 18.0, WIDTH = 300.0;
+constexpr double BESIDE = 18.0, LABEL_WIDTH = 300.0;
 
 } // namespace
 
@@ -32,7 +32,7 @@ void AnswerView::create() {
 	_label->set_theme_type_variation("TooltipLabel");
 	_label->set_mouse_filter(Control::MOUSE_FILTER_IGNORE);
 	_label->set_autowrap_mode(TextServer::AUTOWRAP_WORD);
-	_label->set_custom_minimum_size(Vector2(real_t(WIDTH * scale), 0));
+	_label->set_custom_minimum_size(Vector2(real_t(LABEL_WIDTH * scale), 0));
 	_panel->add_child(_label);
 	EditorInterface::get_singleton()->get_base_control()->add_child(_panel);
 }

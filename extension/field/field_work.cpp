@@ -23,7 +23,7 @@ constexpr double SMALLEST_TRAMPLE = 0.36;
 // A boot treads with 0.2 m, a giant's with some metres. Metres.
 constexpr Tunable TRAMPLE_RADIUS{ "radius", "m", 0.0, 64.0, 0.01, 0.2 };
 // Around a field that is baked as a whole: what its last blades blend with. Metres.
-constexpr double BORDER = info_of(MAP_GROUND).texel_size();
+constexpr double GROUND_BORDER = info_of(MAP_GROUND).texel_size();
 
 } // namespace
 
@@ -159,7 +159,7 @@ MapRegion FieldWork::ground() const {
 
 // What of p_region lies at the field; nothing, with an error, if none of it does.
 std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
-	const MapRegion whole = ground().grown(BORDER);
+	const MapRegion whole = ground().grown(GROUND_BORDER);
 	if (!p_region.has_area()) {
 		return whole;
 	}
@@ -175,7 +175,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 		return 0;
 	}
 	int64_t found = 0;
-	const MapRegion told = p_region.grown(BORDER); // of texels farther away only ledges need to know
+	const MapRegion told = p_region.grown(GROUND_BORDER); // of texels farther away only ledges need to know
 	map->change([&](PaintMap &r_map) {
 		const auto counted = [&](const Eigen::Vector2d &p_place) {
 			const double height = p_height(p_place);
@@ -209,7 +209,7 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a finite transform."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
-	const MapRegion region = ground().grown(BORDER);
+	const MapRegion region = ground().grown(GROUND_BORDER);
 	HeightSheet sheet(region.grown(GroundReading::REACH * info_of(MAP_GROUND).texel_size()));
 	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
 	return lay_ground_by(

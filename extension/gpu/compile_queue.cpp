@@ -34,7 +34,7 @@ TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p
 	return constants;
 }
 
-const char *text_of(PassShaders::From p_from) {
+const char *origin_of(PassShaders::From p_from) {
 	return p_from == PassShaders::From::FILE ? "read" : p_from == PassShaders::From::CODE ? "translated" : "known";
 }
 
@@ -72,7 +72,7 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 		r_pipeline.make(made.shader);
 	}
 	UtilityFunctions::print_verbose(vformat("GrassField: compiled '%s', shader %s in %d ms, pipeline in %d ms", r_pipeline.code.name,
-			text_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
+			origin_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
 	std::lock_guard lock(_mutex);
 	if (!r_pipeline.pipeline.is_valid()) {
 		_refused.push_back(r_pipeline.code);

@@ -82,7 +82,7 @@ PackedVector3Array points_of(const Node3D *p_node) {
 }
 
 // Adds a surface's triangles with the red of their vertex colours, or 1 where the mesh has none.
-void add_surface(FillMesh &r_mesh, const Array &p_arrays, const Eigen::Affine3d &p_pose) {
+void add_triangles(FillMesh &r_mesh, const Array &p_arrays, const Eigen::Affine3d &p_pose) {
 	const PackedVector3Array places = p_arrays[Mesh::ARRAY_VERTEX];
 	const PackedColorArray colors = p_arrays[Mesh::ARRAY_COLOR];
 	const PackedInt32Array indices = p_arrays[Mesh::ARRAY_INDEX];
@@ -232,7 +232,7 @@ std::shared_ptr<const FillMesh> FillGatherer::find_mesh(const StringName &p_grou
 	FillMesh made;
 	for (const auto &[mesh, pose] : meshes) {
 		for (int32_t surface = 0; surface < mesh->get_surface_count(); surface++) {
-			add_surface(made, mesh->surface_get_arrays(surface), pose);
+			add_triangles(made, mesh->surface_get_arrays(surface), pose);
 		}
 	}
 	_mesh_of = std::move(mesh_of);

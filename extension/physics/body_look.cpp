@@ -25,7 +25,7 @@ constexpr double BLADE_FRICTION = 0.5;
 
 // Ticks between checks of a body's shapes, and number of checks in every tick after one that found a change. More: the grass notices a
 // change later.
-constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
+constexpr int CHECK_EVERY = 8, LIVELY_LOOKS = 60;
 // Approximate number of checks in a tick: in a crowd each body is checked less often, in one of 5,000 every 79 ticks. More: a crowd costs
 // more, since these calls are its cost.
 constexpr size_t LOOKS_A_TICK = 64;
@@ -62,7 +62,7 @@ std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count
 } // namespace
 
 int BodyTracker::look_every(size_t p_bodies) {
-	return std::max(LOOK_EVERY, int((p_bodies + LOOKS_A_TICK - 1) / LOOKS_A_TICK));
+	return std::max(CHECK_EVERY, int((p_bodies + LOOKS_A_TICK - 1) / LOOKS_A_TICK));
 }
 
 // Checks from time to time what kind of body it is. Returns whether its shapes are due for a check too.

@@ -17,7 +17,7 @@ namespace grass {
 
 namespace {
 
-const Color COLOR(0.99f, 0.5f, 0.5f);
+const Color GIZMO_COLOR(0.99f, 0.5f, 0.5f);
 // Metres from the shape's centre. For points farther away the engine never finishes making the hull.
 constexpr real_t FARTHEST_POINT = 1e5f;
 
@@ -34,7 +34,7 @@ bool is_drawable(const Ref<Shape3D> &p_shape) {
 
 void GrassExclusion3D::changed() {
 	_nodes.change(
-			*this, [this] { return make_picture(); }, COLOR, _picture);
+			*this, [this] { return make_picture(); }, GIZMO_COLOR, _picture);
 }
 
 void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {

@@ -15,7 +15,7 @@ namespace grass {
 
 namespace {
 
-std::string find_driver() {
+std::string read_driver() {
 	if (get_device().is_empty()) {
 		return {};
 	}
@@ -36,7 +36,7 @@ String get_device() {
 }
 
 String get_driver() {
-	static const std::string driver = find_driver(); // not a String, since the engine's memory must not outlive the engine
+	static const std::string driver = read_driver(); // not a String, since the engine's memory must not outlive the engine
 	return String::utf8(driver.c_str());
 }
 
