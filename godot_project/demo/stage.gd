@@ -17,7 +17,7 @@ func make(p_size: String) -> void:
 	var sides: Array = Walk.SIZES[p_size]
 	hills.make(sides[1])
 	hills.cover(0.0, 0.0)
-	country.make(sides[0], hills)
+	country.make(sides[0], hills, sides[2])
 	$Trees.make(hills, TREES_FROM, 0.45 * sides[1])
 	$Day.set_up($Sun, $World)
 	$Day.hour = HOUR

@@ -23,12 +23,14 @@ var species: Array[GrassSpecies] = []  ## of all fields, in place of SPECIES
 var soil_color := SOIL
 var root_shade := 0.65
 
+var _wide: Array[GrassSpecies] = []  # of all far fields: the blades of a patch are made once, and take memory once
 
-func make(near: float, hills: Hills) -> void:
-	field = _add("Field", Rect2(-0.5 * near, -0.5 * near, near, near), NEAR_DENSITY)
+
+func make(near: float, hills: Hills, density := NEAR_DENSITY) -> void:
+	field = _add("Field", Rect2(-0.5 * near, -0.5 * near, near, near), density, true)
 	field.measure_time = true
 	field.bake_ground_from(hills.shape, hills.global_transform)
-	surround(near, hills.side, hills, FAR_DENSITY)
+	surround(near, hills.side, hills, minf(density, FAR_DENSITY))
 	_paint_track(hills)
 
 
@@ -44,7 +46,7 @@ func surround(inner: float, outer: float, hills: Hills, density: float) -> void:
 		Rect2(-half, -0.5 * inner, rim, inner),
 		Rect2(0.5 * inner, -0.5 * inner, rim, inner)
 	]:
-		_add("Far%d" % fields.size(), rect, density).bake_ground_from(hills.shape, hills.global_transform)
+		_add("Far%d" % fields.size(), rect, density, density == NEAR_DENSITY).bake_ground_from(hills.shape, hills.global_transform)
 
 
 ## The field at a place; null outside of all of them.
@@ -61,9 +63,8 @@ func grow_back() -> void:
 		each.regrow(10.0, 1.0)
 
 
-func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
+func _add(p_name: String, rect: Rect2, density: float, is_near: bool) -> GrassField:
 	var made := GrassField.new()
-	var is_near := density == NEAR_DENSITY
 	made.name = p_name
 	made.size = rect.size
 	made.position = Vector3(rect.get_center().x, 0.0, rect.get_center().y)
@@ -75,9 +76,12 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 	made.map = GrassMap.new()
 	made.map.base_density = 1.0
 	made.surface_hook = load(WEATHER)
-	made.species = species if species else _mixed(is_near)
-	if not is_near:
-		made.species = _widened(made.species)
+	if is_near:
+		made.species = species if species else _mixed(true)
+	else:
+		if not _wide:
+			_wide = _widened(species if species else _mixed(false))
+		made.species = _wide
 		made.pool_tiles = FAR_POOL
 		made.shadow_distance = 0.0
 	add_child(made)

@@ -3,14 +3,16 @@
 ## pictures of all that (`./grass demo walk` without a screen does so), then ends; otherwise you play it. docs/guide/walk.md describes how.
 ##   --parts FILE   measures the time to draw each of its parts, then ends
 ##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
-##                  rendering, or tiny (64 m in 128 m), for tests
+##                  rendering, or tiny (64 m of fewer blades in 128 m), for tests
 extends Node3D
 
 const Options := preload("res://demo/options.gd")
 const Actions := preload("res://demo/walk/actions.gd")
 const Parts := preload("res://demo/walk/parts.gd")
 const Tour := preload("res://demo/walk/tour.gd")
-const SIZES := {"large": [256, 1024], "small": [64, 320], "tiny": [64, 128]}  # metres, side of the near field and of the hills
+## Metres, side of the near field and of the hills; blades a square metre of the near field: few, so that few tiles are simulated, in tests
+## without a GPU.
+const SIZES := {"large": [256, 1024, 256.0], "small": [64, 320, 256.0], "tiny": [64, 128, 64.0]}
 const START := Vector3(0.0, 0.0, 9.0)
 const BALL := Vector3(0.2, 0.0, 4.5)
 const JEEP := Vector3(5.5, 0.0, 3.0)
@@ -46,7 +48,7 @@ func _ready() -> void:
 	var options := Options.read({"out": "", "parts": "", "size": "large"})
 	var sides: Array = SIZES[size if size else options.size]
 	hills.make(sides[1])
-	country.make(sides[0], hills)
+	country.make(sides[0], hills, sides[2])
 	$Trees.make(hills, 0.25 * sides[0], 0.45 * sides[1])
 	day.set_up($Sun, $World)
 	eye.set_up(hills)

@@ -11,7 +11,7 @@ var _held: Array[InputEvent] = []
 
 func open() -> void:
 	walk = (load(SCENE) as PackedScene).instantiate()
-	walk.size = "tiny"  # on the CPU every tile of a field is looked at in every frame
+	walk.size = "tiny"  # on the CPU every tile of a field is looked at in every frame, and a tick costs what is awake
 	add_child(walk)
 	field = walk.country.field
 	await ticks(20)
@@ -73,7 +73,7 @@ func _send(event: InputEvent, is_pressed: bool) -> void:
 	Input.parse_input_event(sent)
 
 
-## The grass at a place as it lies, and whether all of it is finite.
+## How far down the grass lies, as a mean over a tile of a square metre: a foot covers a tenth of it.
 func lies(place: Vector3) -> float:
 	return -field.get_bend_at(place).y
 
@@ -106,7 +106,7 @@ func test_on_foot() -> void:
 		await ticks(1)
 		most = maxf(most, lies(walker.global_position))
 	assert_greater(start.z - walker.global_position.z, 2.0, "W walks")
-	assert_greater(most, 0.15, "the grass lies under who walks")
+	assert_greater(most, 0.04, "the grass lies under who walks")
 	assert_greater(field.get_awake_tile_count(), 3)
 	assert_true(are_knots_finite(), "knots are numbers")
 	await let_go()
@@ -146,7 +146,7 @@ func test_the_jeep() -> void:
 	await ticks(30)
 	walk.walker.global_position = walk.hills.on_ground(jeep.get_door(), 0.05)
 	await ticks(2)
-	assert_greater(lies(wheel_at(jeep, 0)), 0.2, "a wheel presses the grass")
+	assert_greater(lies(wheel_at(jeep, 0)), 0.05, "a wheel presses the grass")
 	await tap(button(JOY_BUTTON_Y))
 	assert_true(walk.driving, "Y gets in")
 	var start := jeep.global_position
