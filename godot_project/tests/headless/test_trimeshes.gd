@@ -30,7 +30,7 @@ func ring() -> ConcavePolygonShape3D:
 
 ## Its box would press all of it.
 func test_a_trimesh_that_moves_bends_by_convex_pieces() -> void:
-	var field := add_field({size = Vector2(8, 8)})
+	var field := add_field({size = Vector2(7, 7), density = 64.0})
 	var body := add_held_body(ring(), Vector3(0, 2.0, 0))
 	var other := add_held_body(body.get_child(0).shape, Vector3(0, 0.25, 30))
 	await ticks(30)
@@ -53,7 +53,7 @@ func test_a_trimesh_that_moves_bends_by_convex_pieces() -> void:
 
 
 func test_a_registered_trimesh_is_split_too() -> void:
-	var field := add_field({size = Vector2(8, 8)})
+	var field := add_field({size = Vector2(7, 7), density = 64.0})
 	var node := Node3D.new()
 	node.position.y = 0.25
 	add_child(node)

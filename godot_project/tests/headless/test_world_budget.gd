@@ -11,7 +11,7 @@ func settled(world: GrassWorld, plots: int) -> void:
 
 
 func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
-	var scene := pattern({density = 256.0, pool_tiles = 4096})
+	var scene := pattern({density = 64.0, pool_tiles = 4096})
 	expect_error("`memory_budget` (")
 	var world := add_world({plot_scene = scene, camera_radius = 60.0})
 	await go(world, Vector3(64, 0, 64))
