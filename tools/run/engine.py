@@ -74,13 +74,14 @@ def start(command, environment):
 
 
 def busy(process):
-	"""Seconds for which processors were busy for a running process so far, all of its threads together; 0 where the system does not say."""
+	"""Seconds for which processors were busy for a running process so far, all of its threads and the programs that it has run together; 0
+	where the system does not say."""
 	try:
 		with open(f"/proc/{process.pid}/stat") as file:
 			fields = file.read().rpartition(")")[2].split()
 	except OSError:
 		return 0.0
-	return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+	return sum(int(field) for field in fields[11:15]) / os.sysconf("SC_CLK_TCK")
 
 
 def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT, on_start=None):
