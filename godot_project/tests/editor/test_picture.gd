@@ -91,7 +91,7 @@ func test_a_field_and_its_properties() -> void:
 	var sections := EditorInterface.get_inspector().find_children("*", "EditorInspectorSection", true, false)
 	assert_greater(sections.size(), 1)
 	sections[0].unfold()
-	field.density = 256.0
+	field.density = density_of_picture(256.0)
 	await worked()
 	await shoot("editor")
 	sections[0].fold()
@@ -114,7 +114,7 @@ func test_toolbar_ring_and_strokes() -> void:
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, -3.5)), height(0.5, -7.5), 0.05, "the hill")
 	await move(at(on(-0.9, -2.2)))
 	assert_true(plugin.get_statistics().ring)
-	field.density = 144.0
+	field.density = density_of_picture(144.0)
 	await shoot("painting")
 
 
@@ -125,7 +125,7 @@ func test_the_grass_before_the_stroke() -> void:
 	await take("Cut")
 	for number: Array in [["Radius", 1.4], ["Strength", 1.0], ["Hardness", 0.4], ["CutHeight", 0.05]]:
 		(toolbar.get_node(number[0]) as Range).value = number[1]
-	field.density = 144.0
+	field.density = density_of_picture(144.0)
 	await worked()
 	var painted := field.map.data
 	await move(at(on(0.8, -1.5)))
@@ -155,7 +155,7 @@ func test_the_answer_beside_the_cursor() -> void:
 	await move(at(on(0, 0)))
 	await key(KEY_V)
 	await take("Why")
-	field.density = 144.0
+	field.density = density_of_picture(144.0)
 	await worked()
 	await move(at(on(1.5, 0)))
 	var panel: Control = get_tree().root.find_child("GrassAnswer", true, false)

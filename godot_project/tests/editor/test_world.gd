@@ -132,7 +132,7 @@ func test_asking_and_what_is_not_offered() -> void:
 
 
 func test_a_picture_of_a_stroke_across_plots() -> void:
-	world.plot_scene = pattern(100.0)
+	world.plot_scene = pattern(density_of_picture(100.0))
 	await loaded()
 	set_number("Radius", 0.6)
 	await erase_across()
