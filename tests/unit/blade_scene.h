@@ -178,19 +178,14 @@ struct BladeScene {
 	bool is_finite() const {
 		return std::isfinite(largest([&](int b, int k) { return knot(b, k).cwiseAbs().sum(); }));
 	}
+	// How deep a knot is in a collider, metres.
 	float depth_in(const TileCollider &p_collider, int p_blade, int p_knot) const {
-		const Eigen::Vector3f place = knot(p_blade, p_knot);
-		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
-		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
-		return -find_face(p_collider, turned(inverse_of(p_collider.turn), offset)).distance;
+		return depth_of(p_collider, offset_from(p_collider, p_blade, knot(p_blade, p_knot)));
 	}
 	// How deep a point of a segment, p_share along it, is in a collider, metres.
 	float depth_in(const TileCollider &p_collider, int p_blade, int p_segment, float p_share) const {
 		const Eigen::Vector3f along = knot(p_blade, p_segment + 1) - knot(p_blade, p_segment);
-		const Eigen::Vector3f place = knot(p_blade, p_segment) + along * p_share;
-		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
-		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
-		return -find_face(p_collider, turned(inverse_of(p_collider.turn), offset)).distance;
+		return depth_of(p_collider, offset_from(p_collider, p_blade, knot(p_blade, p_segment) + along * p_share));
 	}
 	// How deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
 	float edge_depth() const {
@@ -198,15 +193,10 @@ struct BladeScene {
 		float deepest = 0.0f;
 		for (const TileCollider &collider : tile_colliders()) {
 			for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-				const auto depth_at = [&](int p_segment, int p_point) { return depth_in(collider, b, p_segment, float(p_point) / POINTS); };
-				bool is_covered = false;
-				for (int i = 0; i <= POINTS; i++) {
-					is_covered = is_covered || depth_at(0, i) > 0.0f;
-				}
-				for (int s = 1; s < GRASS_SEGMENTS && !is_covered; s++) {
-					for (int i = 0; i <= POINTS; i++) {
-						deepest = std::max(deepest, depth_at(s, i));
-					}
+				float clamp = 0.0f;
+				edge_depth_of(collider, b, 0, POINTS, clamp);
+				for (int s = 1; s < GRASS_SEGMENTS && !(clamp > 0.0f); s++) {
+					edge_depth_of(collider, b, s, POINTS, deepest);
 				}
 			}
 		}
@@ -216,16 +206,40 @@ struct BladeScene {
 	// has nowhere to go.
 	float depth() const {
 		const std::vector<TileCollider> all = tile_colliders();
-		return largest([&](int b, int k) {
-			float deepest = 0.0f;
+		float deepest = 0.0f;
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			const bool is_covered = std::any_of(all.begin(), all.end(), [&](const TileCollider &p_one) { return depth_in(p_one, b, 1) > 0.0f; });
 			for (const TileCollider &collider : all) {
-				if (depth_in(collider, b, 1) > 0.0f) {
-					return 0.0f;
+				for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS && !is_covered; k++) {
+					deepen(collider, offset_from(collider, b, knot(b, k)), deepest);
 				}
-				deepest = std::max(deepest, depth_in(collider, b, k));
 			}
-			return deepest;
-		});
+		}
+		return deepest;
+	}
+
+private:
+	Vec3<float> offset_from(const TileCollider &p_collider, int p_blade, const Eigen::Vector3f &p_place) const {
+		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
+		return Vec3<float>{ p_place.x(), p_place.y(), p_place.z() } + (root - p_collider.centre);
+	}
+	static float depth_of(const TileCollider &p_collider, const Vec3<float> &p_offset) {
+		return -find_face(p_collider, turned(inverse_of(p_collider.turn), p_offset)).distance;
+	}
+	// Raises r_deepest to the depth of a point. Not by the collider's own bound, which is under test: a generous one.
+	static void deepen(const TileCollider &p_collider, const Vec3<float> &p_offset, float &r_deepest) {
+		const float reach = p_collider.size.x + p_collider.size.y + p_collider.size.z;
+		if (!(dot(p_offset, p_offset) > reach * reach)) {
+			r_deepest = std::max(r_deepest, depth_of(p_collider, p_offset));
+		}
+	}
+	// The same for p_points + 1 points of a segment.
+	void edge_depth_of(const TileCollider &p_collider, int p_blade, int p_segment, int p_points, float &r_deepest) const {
+		const Vec3<float> from = offset_from(p_collider, p_blade, knot(p_blade, p_segment));
+		const Vec3<float> along = offset_from(p_collider, p_blade, knot(p_blade, p_segment + 1)) - from;
+		for (int i = 0; i <= p_points; i++) {
+			deepen(p_collider, from + along * (float(i) / float(p_points)), r_deepest);
+		}
 	}
 };
 
