@@ -208,7 +208,8 @@ struct BladeScene {
 		const std::vector<TileCollider> all = tile_colliders();
 		float deepest = 0.0f;
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-			const bool is_covered = std::any_of(all.begin(), all.end(), [&](const TileCollider &p_one) { return depth_in(p_one, b, 1) > 0.0f; });
+			const bool is_covered =
+					std::any_of(all.begin(), all.end(), [&](const TileCollider &p_one) { return depth_in(p_one, b, 1) > 0.0f; });
 			for (const TileCollider &collider : all) {
 				for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS && !is_covered; k++) {
 					deepen(collider, offset_from(collider, b, knot(b, k)), deepest);

@@ -2,6 +2,7 @@
 // METHOD_DIRECT where nothing is near: near to the truth in space, stable whatever a blade is like, and home again.
 #include "elastic_blade.h"
 
+#include "core/base/functions.h"
 #include "core/base/half.h"
 #include "core/blades/patch.h"
 
@@ -25,7 +26,6 @@ constexpr int TIP = GRASS_KNOTS - 1;
 Eigen::Vector3d leaning(double p_lean, double p_bearing) {
 	return { std::sin(p_lean) * std::cos(p_bearing), std::cos(p_lean), std::sin(p_lean) * std::sin(p_bearing) };
 }
-constexpr double DEGREE = std::numbers::pi / 180.0;
 using Way = std::function<Eigen::Vector3d(double)>; // a direction, by the share of the way from root to tip
 // Half a metre long.
 ElasticBlade along(const Way &p_way) {

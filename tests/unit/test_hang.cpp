@@ -4,6 +4,7 @@
 
 #include "grown_tile.h"
 
+#include "core/base/functions.h"
 #include "core/base/half.h"
 #include "core/blades/wind.h"
 #include "core/solver/simulate.h"
@@ -16,15 +17,12 @@
 #include <cmath>
 #include <deque>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 using namespace grass;
 using namespace grass::test;
 
 namespace {
-
-constexpr double DEGREE = std::numbers::pi / 180.0;
 
 Eigen::Matrix3d turned(double p_degrees, const Eigen::Vector3d &p_axis) {
 	return Eigen::AngleAxisd(p_degrees * DEGREE, p_axis).toRotationMatrix();

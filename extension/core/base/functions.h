@@ -4,13 +4,16 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace grass {
+
+inline constexpr double DEGREE = std::numbers::pi / 180.0; // radians
 
 // Returns the sine of an angle in radians, up to about 1e6. Reduces it to the nearest half turn, then sums the series: sin(x + n pi) =
 // (-1)^n sin x.
 inline double sine(double p_angle) {
-	constexpr double PI = 3.14159265358979323846;
+	constexpr double PI = std::numbers::pi;
 	const double half_turns = std::floor(p_angle / PI + 0.5);
 	const double x = p_angle - half_turns * PI;
 	const double square = x * x;
@@ -24,12 +27,12 @@ inline double sine(double p_angle) {
 	return odd ? -sum : sum;
 }
 inline double cosine(double p_angle) {
-	return sine(p_angle + 1.57079632679489661923);
+	return sine(p_angle + 0.5 * std::numbers::pi);
 }
 
 // Reduces the power to the nearest multiple of log 2, then sums the series: exp(x + n log 2) = 2^n exp(x).
 inline double exponential(double p_power) {
-	constexpr double LOG_2 = 0.69314718055994530942;
+	constexpr double LOG_2 = std::numbers::ln2;
 	const double twos = std::floor(p_power / LOG_2 + 0.5);
 	const double x = p_power - twos * LOG_2;
 	double term = 1.0;

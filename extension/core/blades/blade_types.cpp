@@ -9,9 +9,6 @@ namespace grass {
 
 namespace {
 
-constexpr double PI = 3.14159265358979323846;
-constexpr double DEGREE = PI / 180.0;
-
 using Controls = std::array<double, BladeType::CONTROLS>;
 
 // Interpolates the control numbers with a Catmull-Rom spline. p_along: 0 = root, 1 = tip.

@@ -65,7 +65,7 @@ std::array<float, 3> mean_of(std::span<const LeafTone> p_tones) {
 	return mean;
 }
 
-uint8_t to_byte(float p_multiple) {
+uint8_t tone_byte(float p_multiple) {
 	return uint8_t(std::clamp(std::lround(255.0f * p_multiple / LEAF_BRIGHTEST), 0L, 255L));
 }
 
@@ -98,9 +98,9 @@ std::vector<uint8_t> make_leaf_picture(int p_picture) {
 			below += tones[++tone].share;
 		}
 		uint8_t *texel = &bytes[size_t(4 * order[size_t(i)])];
-		texel[0] = to_byte(tones[tone].red / mean[0]);
-		texel[1] = to_byte(tones[tone].green / mean[1]);
-		texel[2] = to_byte(tones[tone].blue / mean[2]);
+		texel[0] = tone_byte(tones[tone].red / mean[0]);
+		texel[1] = tone_byte(tones[tone].green / mean[1]);
+		texel[2] = tone_byte(tones[tone].blue / mean[2]);
 	}
 	return bytes;
 }

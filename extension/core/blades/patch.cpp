@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/half.h"
 #include "core/base/hash.h"
@@ -13,7 +14,7 @@ namespace grass {
 
 namespace {
 
-constexpr double TURN = 2.0 * 3.14159265358979323846;
+constexpr double TURN = 2.0 * std::numbers::pi;
 
 // The segments of a shorter blade would be too short for the simulation to tell from zero.
 constexpr double SHORTEST = 0.01; // metres

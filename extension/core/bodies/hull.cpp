@@ -12,15 +12,15 @@ namespace grass {
 
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
+using HullPoints = std::vector<Eigen::Vector3d>;
 
-struct Plane {
+struct HullPlane {
 	Eigen::Vector3d normal;
 	double distance;
 };
 
 // Returns how far the points reach along p_normal.
-double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
+double get_support(const HullPoints &p_points, const Eigen::Vector3d &p_normal) {
 	double support = p_normal.dot(p_points.front());
 	for (const Eigen::Vector3d &point : p_points) {
 		support = std::max(support, p_normal.dot(point));
@@ -29,8 +29,8 @@ double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 }
 
 // Returns the valid points, each once.
-Points collect(std::span<const Eigen::Vector3d> p_points) {
-	Points points;
+HullPoints collect(std::span<const Eigen::Vector3d> p_points) {
+	HullPoints points;
 	std::copy_if(p_points.begin(), p_points.end(), std::back_inserter(points),
 			[](const Eigen::Vector3d &p_point) { return p_point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= Hull::MAX_COORDINATE; });
 	const auto is_less = [](const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b) {
@@ -42,7 +42,7 @@ Points collect(std::span<const Eigen::Vector3d> p_points) {
 }
 
 // Moves the points so that their box is centred at the origin. Returns where its centre was.
-Eigen::Vector3d centre_points(Points &r_points) {
+Eigen::Vector3d centre_points(HullPoints &r_points) {
 	Eigen::Vector3d low = r_points.front(), high = r_points.front();
 	for (const Eigen::Vector3d &point : r_points) {
 		low = low.cwiseMin(point);
@@ -57,7 +57,7 @@ Eigen::Vector3d centre_points(Points &r_points) {
 
 // Doubles points that lie in a plane, on a line or in one place, to both sides of each direction in which they are thinner than
 // MIN_THICKNESS.
-void thicken(Points &r_points) {
+void thicken(HullPoints &r_points) {
 	Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 	for (const Eigen::Vector3d &point : r_points) {
 		covariance += (point - r_points.front()) * (point - r_points.front()).transpose();
@@ -76,11 +76,11 @@ void thicken(Points &r_points) {
 }
 
 // Adds the plane through p_point, unless points lie beyond it or it was added already.
-void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eigen::Vector3d &p_normal, double p_tolerance,
-		std::vector<Plane> &r_planes) {
+void add_face(const HullPoints &p_points, const Eigen::Vector3d &p_point, const Eigen::Vector3d &p_normal, double p_tolerance,
+		std::vector<HullPlane> &r_planes) {
 	constexpr double SAME_DIRECTION = 1.0 - 5e-9; // cosine of 1e-4 rad
 	const double distance = get_support(p_points, p_normal);
-	const auto is_same = [&](const Plane &p_plane) {
+	const auto is_same = [&](const HullPlane &p_plane) {
 		return p_plane.normal.dot(p_normal) > SAME_DIRECTION && std::abs(p_plane.distance - distance) <= 4.0 * p_tolerance;
 	};
 	if (distance - p_normal.dot(p_point) <= p_tolerance && std::none_of(r_planes.begin(), r_planes.end(), is_same)) {
@@ -90,8 +90,8 @@ void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eige
 
 // Looks along the line through two points. If all others are within half a turn of it, the line is an edge of the hull, and the outermost
 // points on either side span the two faces that meet there.
-void add_faces_at_edge(const Points &p_points, size_t p_from, size_t p_to, const Eigen::Vector3d &p_inside, double p_tolerance,
-		std::vector<Plane> &r_planes) {
+void add_faces_at_edge(const HullPoints &p_points, size_t p_from, size_t p_to, const Eigen::Vector3d &p_inside, double p_tolerance,
+		std::vector<HullPlane> &r_planes) {
 	const Eigen::Vector3d along = (p_points[p_to] - p_points[p_from]).normalized();
 	const Eigen::Vector3d u = along.unitOrthogonal(), v = along.cross(u);
 	const auto see = [&](const Eigen::Vector3d &p_point) {
@@ -124,12 +124,12 @@ void add_faces_at_edge(const Points &p_points, size_t p_from, size_t p_to, const
 }
 
 // Returns the hull's faces. If there are more than MAX_PLANES, it stops soon after that number.
-std::vector<Plane> find_faces(const Points &p_points, double p_size) {
+std::vector<HullPlane> find_planes(const HullPoints &p_points, double p_size) {
 	Eigen::Vector3d inside = Eigen::Vector3d::Zero();
 	for (const Eigen::Vector3d &point : p_points) {
 		inside += point / double(p_points.size());
 	}
-	std::vector<Plane> planes;
+	std::vector<HullPlane> planes;
 	for (size_t i = 0; i < p_points.size(); i++) {
 		for (size_t j = i + 1; j < p_points.size() && planes.size() <= size_t(Hull::MAX_PLANES); j++) {
 			add_faces_at_edge(p_points, i, j, inside, p_size * 1e-6, planes); // the points may come from single precision
@@ -139,8 +139,8 @@ std::vector<Plane> find_faces(const Points &p_points, double p_size) {
 }
 
 // Returns a bound whose normals are the directions to the faces, edges and corners of a cube.
-std::vector<Plane> find_bound(const Points &p_points) {
-	std::vector<Plane> planes;
+std::vector<HullPlane> find_bound(const HullPoints &p_points) {
+	std::vector<HullPlane> planes;
 	for (int i = 0; i < 27; i++) {
 		const Eigen::Vector3d direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
 		if (i != 13) { // skip the cube's centre
@@ -150,7 +150,7 @@ std::vector<Plane> find_bound(const Points &p_points) {
 	return planes;
 }
 
-void set_size(const Points &p_points, double p_margin, Hull &r_hull) {
+void set_size(const HullPoints &p_points, double p_margin, Hull &r_hull) {
 	for (const Eigen::Vector3d &point : p_points) {
 		r_hull.half_extents = r_hull.half_extents.cwiseMax(point.cwiseAbs());
 		r_hull.radius = std::max(r_hull.radius, point.norm());
@@ -159,8 +159,8 @@ void set_size(const Points &p_points, double p_margin, Hull &r_hull) {
 	r_hull.radius += std::sqrt(3.0) * p_margin;
 }
 
-void add_planes(const std::vector<Plane> &p_planes, double p_margin, Hull &r_hull) {
-	for (const Plane &plane : p_planes) {
+void add_planes(const std::vector<HullPlane> &p_planes, double p_margin, Hull &r_hull) {
+	for (const HullPlane &plane : p_planes) {
 		const Eigen::Vector3f normal = plane.normal.cast<float>();
 		r_hull.planes.emplace_back(normal.x(), normal.y(), normal.z(), float(plane.distance + p_margin));
 	}
@@ -170,16 +170,16 @@ void add_planes(const std::vector<Plane> &p_planes, double p_margin, Hull &r_hul
 
 Hull Hull::make(std::span<const Eigen::Vector3d> p_points) {
 	Hull hull;
-	Points points = collect(p_points);
+	HullPoints points = collect(p_points);
 	if (points.empty()) {
 		return hull;
 	}
 	hull.centre = centre_points(points);
 	thicken(points);
 	set_size(points, 0.0, hull);
-	std::vector<Plane> planes;
+	std::vector<HullPlane> planes;
 	if (points.size() <= size_t(MAX_POINTS)) {
-		planes = find_faces(points, hull.radius);
+		planes = find_planes(points, hull.radius);
 	}
 	if (planes.size() < 4 || planes.size() > size_t(MAX_PLANES)) {
 		planes = find_bound(points);
@@ -195,7 +195,7 @@ Hull Hull::make_bound(std::span<const Eigen::Vector3d> p_points, double p_margin
 	if (p_points.empty()) {
 		return hull;
 	}
-	Points points(p_points.begin(), p_points.end());
+	HullPoints points(p_points.begin(), p_points.end());
 	hull.centre = centre_points(points);
 	set_size(points, p_margin, hull);
 	add_planes(find_bound(points), p_margin, hull);

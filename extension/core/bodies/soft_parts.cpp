@@ -12,7 +12,7 @@ namespace grass {
 
 namespace {
 
-using Triangle = std::array<int, 3>;
+using SoftFace = std::array<int, 3>;
 
 // A part with fewer faces is not divided.
 constexpr size_t FACES_MIN = 8;
@@ -27,10 +27,10 @@ std::vector<int> weld(std::span<const Eigen::Vector3d> p_points) {
 	return welded;
 }
 
-std::vector<Triangle> find_faces(std::span<const int> p_faces, const std::vector<int> &p_welded) {
-	std::vector<Triangle> faces;
+std::vector<SoftFace> find_faces(std::span<const int> p_faces, const std::vector<int> &p_welded) {
+	std::vector<SoftFace> faces;
 	for (size_t i = 0; i + 2 < p_faces.size(); i += 3) {
-		Triangle face{};
+		SoftFace face{};
 		bool is_sound = true;
 		for (size_t k = 0; k < 3; k++) {
 			const int point = p_faces[i + k];
@@ -45,9 +45,9 @@ std::vector<Triangle> find_faces(std::span<const int> p_faces, const std::vector
 }
 
 // Returns whether every edge is shared by two faces.
-bool is_closed(const std::vector<Triangle> &p_faces) {
+bool is_closed(const std::vector<SoftFace> &p_faces) {
 	std::map<std::pair<int, int>, int> edges;
-	for (const Triangle &face : p_faces) {
+	for (const SoftFace &face : p_faces) {
 		for (size_t k = 0; k < 3; k++) {
 			const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]);
 			edges[{ low, high }]++;
@@ -57,32 +57,32 @@ bool is_closed(const std::vector<Triangle> &p_faces) {
 }
 
 // Divides the faces into halves across the longest side, recursively.
-void divide(std::vector<Triangle> p_faces, std::span<const Eigen::Vector3d> p_points, int p_parts,
-		std::vector<std::vector<Triangle>> &r_parts) {
+void divide(std::vector<SoftFace> p_faces, std::span<const Eigen::Vector3d> p_points, int p_parts,
+		std::vector<std::vector<SoftFace>> &r_parts) {
 	if (p_parts < 2 || p_faces.size() < FACES_MIN) {
 		r_parts.push_back(std::move(p_faces));
 		return;
 	}
-	const auto middle = [&](const Triangle &p_face) -> Eigen::Vector3d {
+	const auto middle = [&](const SoftFace &p_face) -> Eigen::Vector3d {
 		return p_points[size_t(p_face[0])] + p_points[size_t(p_face[1])] + p_points[size_t(p_face[2])];
 	};
 	Eigen::AlignedBox3d box;
-	for (const Triangle &face : p_faces) {
+	for (const SoftFace &face : p_faces) {
 		box.extend(middle(face));
 	}
 	int axis = 0;
 	box.sizes().maxCoeff(&axis);
 	std::stable_sort(p_faces.begin(), p_faces.end(),
-			[&](const Triangle &p_a, const Triangle &p_b) { return middle(p_a)[axis] < middle(p_b)[axis]; });
+			[&](const SoftFace &p_a, const SoftFace &p_b) { return middle(p_a)[axis] < middle(p_b)[axis]; });
 	const auto half = p_faces.begin() + std::ptrdiff_t(p_faces.size() / 2);
 	divide({ p_faces.begin(), half }, p_points, p_parts / 2, r_parts);
 	divide({ half, p_faces.end() }, p_points, p_parts / 2, r_parts);
 }
 
 // Returns the points of the faces, thinned out where there are too many.
-std::vector<int> find_points(const std::vector<Triangle> &p_faces) {
+std::vector<int> find_points(const std::vector<SoftFace> &p_faces) {
 	std::vector<int> points;
-	for (const Triangle &face : p_faces) {
+	for (const SoftFace &face : p_faces) {
 		points.insert(points.end(), face.begin(), face.end());
 	}
 	std::sort(points.begin(), points.end());
@@ -98,17 +98,17 @@ std::vector<int> find_points(const std::vector<Triangle> &p_faces) {
 } // namespace
 
 SoftParts::SoftParts(std::span<const Eigen::Vector3d> p_points, std::span<const int> p_faces) {
-	std::vector<Triangle> faces = find_faces(p_faces, weld(p_points));
-	std::erase_if(faces, [&](const Triangle &p_face) {
+	std::vector<SoftFace> faces = find_faces(p_faces, weld(p_points));
+	std::erase_if(faces, [&](const SoftFace &p_face) {
 		return !std::all_of(p_face.begin(), p_face.end(), [&](int p_point) { return p_points[size_t(p_point)].allFinite(); });
 	});
 	if (faces.empty()) {
 		return;
 	}
 	_is_closed = is_closed(faces);
-	std::vector<std::vector<Triangle>> divided;
+	std::vector<std::vector<SoftFace>> divided;
 	divide(std::move(faces), p_points, MAX_PARTS, divided);
-	for (const std::vector<Triangle> &part : divided) {
+	for (const std::vector<SoftFace> &part : divided) {
 		_parts.push_back(find_points(part));
 		_points.insert(_points.end(), _parts.back().begin(), _parts.back().end());
 	}

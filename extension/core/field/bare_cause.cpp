@@ -15,17 +15,17 @@ namespace {
 constexpr int32_t SAME = 4;
 
 BareCause density_cause(const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at) {
-	constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
-	const Eigen::Array2i texel = (p_at.array() / DENSITY.texel_size()).floor().cast<int>();
+	constexpr const MapChannelInfo &INFO = info_of(MAP_DENSITY);
+	const Eigen::Array2i texel = (p_at.array() / INFO.texel_size()).floor().cast<int>();
 	const auto code = [&](MapChannel p_channel, int p_component) { return p_map.get_code(p_channel, p_component, texel.x(), texel.y()); };
 	const int32_t density = code(MAP_DENSITY, 0);
 	const HandPaint hand{ code(MAP_PAINT, 0), code(MAP_PAINT, 1) };
-	BareCause cause{ BareKind::MAP, DENSITY.value(density), 0.0, {} };
+	BareCause cause{ BareKind::MAP, INFO.value(density), 0.0, {} };
 	if (2 * hand.cover > HandPaint::FULL) {
 		cause.kind = BareKind::PAINTED;
 	} else if (p_rule != nullptr) {
 		cause.rule = find_fill_cause(p_map, *p_rule, p_sources, p_at);
-		if (std::abs(hand.over(DENSITY.code(cause.rule.density)) - density) <= SAME) {
+		if (std::abs(hand.over(INFO.code(cause.rule.density)) - density) <= SAME) {
 			cause.kind = BareKind::RULE;
 		}
 	}

@@ -13,7 +13,7 @@ namespace {
 // In one call. More: eyes that jump find their plants sooner, and such a tick takes longer.
 constexpr int PASSED_MOST = 4096, READS = 48; // tiles passed; tiles whose blades are looked at
 // Tiles whose plants are kept. Where eyes reach more, the farthest are not looked at.
-constexpr size_t KNOWN_TILES = 65536;
+constexpr size_t SEARCHED_TILES = 65536;
 // An eye that moved less has the same plants near it. Metres.
 constexpr double MOTION = 0.25;
 
@@ -187,9 +187,9 @@ const PlantSearch::Plants *PlantSearch::find(const Field &p_field, int p_x, int 
 	if (const auto known = _known.find(index); known != _known.end()) {
 		return &known->second;
 	}
-	if (_known.size() >= KNOWN_TILES) {
+	if (_known.size() >= SEARCHED_TILES) {
 		drop_far();
-		if (_known.size() >= KNOWN_TILES) {
+		if (_known.size() >= SEARCHED_TILES) {
 			return nullptr;
 		}
 	}

@@ -15,7 +15,7 @@ uint8_t to_number(double p_value) {
 	return std::isfinite(p_value) ? uint8_t(std::clamp(std::round(p_value), 0.0, 255.0)) : uint8_t(0);
 }
 
-size_t index_of(int p_i, int p_j) {
+size_t id_index(int p_i, int p_j) {
 	return size_t(p_j & LAST) * size_t(TerrainIds::SIDE) + size_t(p_i & LAST);
 }
 
@@ -27,7 +27,7 @@ TerrainTexel TerrainTexel::of(double p_base, double p_overlay, double p_blend) {
 
 bool TerrainIds::set(int p_i, int p_j, const TerrainTexel &p_texel) {
 	Chunk &chunk = _chunks[key_of(MAP_GROUND, p_i, p_j)];
-	const size_t index = index_of(p_i, p_j);
+	const size_t index = id_index(p_i, p_j);
 	const bool differs = !chunk.is_known[index] || !(chunk.texels[index] == p_texel);
 	chunk.texels[index] = p_texel;
 	chunk.is_known[index] = true;
@@ -40,7 +40,7 @@ const TerrainTexel *TerrainIds::find(const Eigen::Vector2d &p_place) const {
 		return nullptr;
 	}
 	const Eigen::Array2i texel = (p_place.array() / info_of(MAP_GROUND).texel_size()).floor().cast<int>();
-	const size_t index = index_of(texel.x(), texel.y());
+	const size_t index = id_index(texel.x(), texel.y());
 	return found->second.is_known[index] ? &found->second.texels[index] : nullptr;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double TEXEL = info_of(MAP_GROUND).texel_size();
 
-double distance_to(const MapRegion &p_region, const Eigen::Vector2d &p_place) {
+double distance_to_region(const MapRegion &p_region, const Eigen::Vector2d &p_place) {
 	return (p_place - p_place.cwiseMax(p_region.min).cwiseMin(p_region.max)).squaredNorm();
 }
 
@@ -95,7 +95,7 @@ std::optional<MapRegion> TerrainQueue::take(std::span<const Eigen::Vector2d> p_e
 	auto nearest = _waiting.end();
 	for (auto entry = _waiting.begin(); entry != _waiting.end(); ++entry) {
 		for (const Eigen::Vector2d &eye : eyes) {
-			const double distance = distance_to(entry->second, eye);
+			const double distance = distance_to_region(entry->second, eye);
 			if (distance < least) {
 				least = distance;
 				nearest = entry;

@@ -23,7 +23,7 @@ struct Change {
 	std::pair<MapKey, int> place() const { return { key, int(channel) }; }
 };
 
-struct Changes {
+struct ChangeTable {
 	std::string reason;
 	uint32_t base_before = 0, base_after = 0;
 	std::vector<Change> list;
@@ -47,14 +47,14 @@ void combine(MapTexels &r_texels, const MapTexels &p_other) {
 	}
 }
 
-Changes refuse(std::string p_reason) {
-	Changes changes;
+ChangeTable refuse(std::string p_reason) {
+	ChangeTable changes;
 	changes.reason = std::move(p_reason);
 	return changes;
 }
 
 // Reads the table and checks everything in it.
-Changes read_table(std::span<const uint8_t> p_bytes) {
+ChangeTable read_table(std::span<const uint8_t> p_bytes) {
 	if (p_bytes.size() < CHANGE_MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), CHANGE_MAGIC, CHANGE_MAGIC_BYTES) != 0) {
 		return refuse("are not changes of a grass map: they do not begin with \"GRASSDIF\"");
 	}
@@ -70,7 +70,7 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 	if (get_u32(p_bytes, end) != checksum(p_bytes.first(end))) {
 		return refuse("are damaged or cut off: their checksum is wrong");
 	}
-	Changes changes;
+	ChangeTable changes;
 	changes.base_before = get_u32(p_bytes, 12);
 	changes.base_after = get_u32(p_bytes, 16);
 	const size_t count = get_u32(p_bytes, 20);
@@ -101,7 +101,7 @@ std::string name_of(const Change &p_change) {
 }
 
 // Returns "", or why the changes are rejected, judging by their table alone, since each may unpack to a thousand times its bytes.
-std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, const ReadLimits &p_limits) {
+std::string look_at_changes(const ChangeTable &p_changes, const PaintMap &p_map, const ReadLimits &p_limits) {
 	size_t bytes = 0, map_bytes = p_map.get_memory_usage();
 	std::set<MapKey> new_chunks;
 	bool is_growing = false;
@@ -197,7 +197,7 @@ MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const 
 
 AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits) {
 	AppliedChanges applied;
-	const Changes changes = read_table(p_bytes);
+	const ChangeTable changes = read_table(p_bytes);
 	applied.reason = changes.reason.empty() ? look_at_changes(changes, r_map, p_limits) : changes.reason;
 	const uint32_t base = uint32_t(r_map.initial_code(MAP_DENSITY, 0));
 	if (applied.reason.empty() && base != changes.base_before && base != changes.base_after) {

@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-constexpr double FULL = 255.0; // of a byte
+constexpr double FULL_BYTE = 255.0; // of a byte
 
 double read_number(const uint8_t *p_pixel, int p_number, bool p_is_float) {
 	if (!p_is_float) {
@@ -84,7 +84,7 @@ private:
 	bool fits(const uint8_t *p_pixel, int p_i, int p_j) {
 		const size_t number = _format.is_float ? 4 : 1;
 		if (_info.components < 4 && _format.has_alpha &&
-				read_number(p_pixel, _format.colors, _format.is_float) < (_format.is_float ? 1.0 : FULL)) {
+				read_number(p_pixel, _format.colors, _format.is_float) < (_format.is_float ? 1.0 : FULL_BYTE)) {
 			_result.reason = refuse("is transparent", p_i, p_j, " has no transparency. Flatten the picture.");
 		} else if (_info.components == 1 && std::memcmp(p_pixel, p_pixel + number, number * size_t(_format.colors - 1)) != 0) {
 			_result.reason = refuse("is in colour", p_i, p_j, " is one number a texel. Use a grey picture.");
@@ -103,7 +103,7 @@ private:
 				continue;
 			}
 			if (!_format.is_float && !is_opaque) {
-				value = _info.value(int32_t(std::round(value * _info.highest / FULL)));
+				value = _info.value(int32_t(std::round(value * _info.highest / FULL_BYTE)));
 			}
 			const int32_t code = _info.code(value);
 			is_clamped = is_clamped || std::abs(value - _info.value(code)) > 1.5 * _info.unit; // more than rounding
@@ -226,7 +226,7 @@ Pixels read_pixels(const PaintMap &p_map, MapChannel p_channel, const TexelRect 
 					const float value = float(info.value(code));
 					std::memcpy(pixel + size_t(component) * 4, &value, 4);
 				} else {
-					pixel[component] = uint8_t(std::round(code * FULL / info.highest));
+					pixel[component] = uint8_t(std::round(code * FULL_BYTE / info.highest));
 				}
 			}
 		}

@@ -11,13 +11,12 @@ namespace grass {
 
 namespace {
 
-constexpr int POINTS = LedgeCell::POINTS, SPOTS = LedgeCell::SPOTS;
 constexpr double FITS = 0.02; // metres that the ground may be away from where grass is put, in a cell with a ledge
 constexpr double NEAR = 0.05; // metres in which the slope beside a ledge is measured
 
 // How far from the ground each code's height lies at a point of a cell. Infinite: so far that nothing may grow there.
 std::array<double, 16> errors_at(const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, int p_column, int p_row) {
-	const double x = double(p_column) / SPOTS, z = double(p_row) / SPOTS, there = p_cell.at(p_column, p_row);
+	const double x = double(p_column) / LedgeCell::SPOTS, z = double(p_row) / LedgeCell::SPOTS, there = p_cell.at(p_column, p_row);
 	std::array<double, 4> planes{};
 	unsigned missing = 0;
 	for (size_t n = 0; n < 4; n++) {
@@ -70,17 +69,17 @@ std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 			}
 		}
 	}
-	std::array<std::array<double, 16>, size_t(POINTS * POINTS)> errors;
-	for (int n = 0; n < POINTS * POINTS; n++) {
-		errors[size_t(n)] = errors_at(p_cell, p_corners, n % POINTS, n / POINTS);
+	std::array<std::array<double, 16>, size_t(LedgeCell::POINTS * LedgeCell::POINTS)> errors;
+	for (int n = 0; n < LedgeCell::POINTS * LedgeCell::POINTS; n++) {
+		errors[size_t(n)] = errors_at(p_cell, p_corners, n % LedgeCell::POINTS, n / LedgeCell::POINTS);
 	}
-	std::array<uint8_t, size_t(SPOTS * SPOTS)> codes{};
-	for (int spot = 0; spot < SPOTS * SPOTS; spot++) {
-		const size_t first = size_t(spot / SPOTS * POINTS + spot % SPOTS);
+	std::array<uint8_t, size_t(LedgeCell::SPOTS * LedgeCell::SPOTS)> codes{};
+	for (int spot = 0; spot < LedgeCell::SPOTS * LedgeCell::SPOTS; spot++) {
+		const size_t first = size_t(spot / LedgeCell::SPOTS * LedgeCell::POINTS + spot % LedgeCell::SPOTS);
 		double best = 0.0;
 		for (unsigned code = 1; code < 16; code++) {
 			double error = 0.0;
-			for (const size_t point : { first, first + 1, first + size_t(POINTS), first + size_t(POINTS) + 1 }) {
+			for (const size_t point : { first, first + 1, first + size_t(LedgeCell::POINTS), first + size_t(LedgeCell::POINTS) + 1 }) {
 				error = std::max(error, errors[point][code]);
 			}
 			// Prefer the code with the most corners that fit, since the cell's surroundings blend with them.

@@ -25,7 +25,7 @@ uint32_t get_big_endian(std::span<const uint8_t> p_bytes, size_t p_at) {
 
 // The decoder makes sRGB of any other gamma, which changes the bytes; without a gamma it takes them as they are.
 bool has_other_gamma(std::span<const uint8_t> p_bytes) {
-	constexpr int64_t SRGB_GAMMA = 45455, NEAR = 500; // in units of 1e-5
+	constexpr int64_t SRGB_GAMMA = 45455, SAME_GAMMA = 500; // in units of 1e-5
 	bool has_other = false;
 	for (size_t at = PNG_HEADER_BYTES; at + 12 <= p_bytes.size();) {
 		const size_t size = get_big_endian(p_bytes, at);
@@ -33,7 +33,7 @@ bool has_other_gamma(std::span<const uint8_t> p_bytes) {
 		if (name == "sRGB" || name == "IDAT") { // the former overrules a gamma
 			return name == "IDAT" && has_other;
 		}
-		has_other = has_other || (name == "gAMA" && std::llabs(int64_t(get_big_endian(p_bytes, at + 8)) - SRGB_GAMMA) > NEAR);
+		has_other = has_other || (name == "gAMA" && std::llabs(int64_t(get_big_endian(p_bytes, at + 8)) - SRGB_GAMMA) > SAME_GAMMA);
 		at += 12 + size;
 	}
 	return false;

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double GRAVITY = 9.81; // m/s^2
 constexpr double DIRECTION_STEPS = 16.0; // to which a direction's components are rounded: about 4 degrees
-constexpr double DEGREE = std::numbers::pi / 180.0;
 constexpr double STEP = 0.1; // seconds, for blades that swing once a second
 constexpr int HANGING_STEPS = 40; // four swings of a blade without overshoot: it is at rest
 constexpr int TILES = GRASS_PATCH_BLADES / GRASS_BLADES_PER_TILE;

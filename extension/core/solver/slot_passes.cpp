@@ -47,7 +47,7 @@ int half_octave_of(float p_energy) {
 	return int((std::bit_cast<uint32_t>(p_energy) & 0x7fffffffu) >> 22);
 }
 
-int rank_of(float p_energy) {
+int energy_rank(float p_energy) {
 	return LIVELIEST_RANK + std::clamp(half_octave_of(MOST_ENERGY) - half_octave_of(p_energy), 0, HALF_OCTAVES - 1);
 }
 
@@ -71,7 +71,7 @@ public:
 	}
 	size_t find_rank(const GrassSlot &p_slot) const {
 		const size_t number = size_t(p_slot.tile.w);
-		return size_t(has_any(p_slot, _fast) ? FAST_RANK : rank_of(number < _energies.size() ? _energies[number] : 0.0f));
+		return size_t(has_any(p_slot, _fast) ? FAST_RANK : energy_rank(number < _energies.size() ? _energies[number] : 0.0f));
 	}
 
 private:

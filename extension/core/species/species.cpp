@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,6 @@ namespace grass {
 
 namespace {
 
-constexpr double PI = 3.14159265358979323846;
 constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
 
 // The quantiles of stand noise, ascending. They do not depend on where the lattice is.
@@ -211,7 +211,7 @@ std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vect
 }
 
 double near_plants(double p_distance, double p_density, int64_t p_vertices) {
-	const double a_metre = p_density * double(p_vertices) * PI; // vertices within a metre
+	const double a_metre = p_density * double(p_vertices) * std::numbers::pi; // vertices within a metre
 	return a_metre * p_distance * p_distance > NEAR_PLANT_VERTICES ? std::sqrt(NEAR_PLANT_VERTICES / a_metre) : p_distance;
 }
 

@@ -12,8 +12,8 @@ namespace grass {
 
 namespace {
 
-constexpr int BLADES = 90;
-constexpr int FINE = 2; // drawn texels for each texel of the picture, along a side
+constexpr int SHOWN_BLADES = 90;
+constexpr int FINER = 2; // drawn texels for each texel of the picture, along a side
 constexpr int SEGMENT_STEPS = 6; // least number of steps along a segment
 constexpr float FILLED = 0.9f; // share of the height that the tallest blade fills
 constexpr float DEEP = 0.12f; // height of the hindmost roots above the foremost, as a share of the picture's height
@@ -53,17 +53,17 @@ public:
 		}
 	}
 
-	// Returns the picture: each texel is the mean of FINE x FINE.
+	// Returns the picture: each texel is the mean of FINER x FINER.
 	std::vector<uint8_t> shrunk() const {
 		std::vector<uint8_t> bytes;
-		for (int y = 0; y < _side; y += FINE) {
-			for (int x = 0; x < _side; x += FINE) {
+		for (int y = 0; y < _side; y += FINER) {
+			for (int x = 0; x < _side; x += FINER) {
 				Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-				for (int i = 0; i < FINE * FINE; i++) {
-					sum += _texels[size_t(y + i / FINE) * size_t(_side) + size_t(x + i % FINE)];
+				for (int i = 0; i < FINER * FINER; i++) {
+					sum += _texels[size_t(y + i / FINER) * size_t(_side) + size_t(x + i % FINER)];
 				}
 				const Eigen::Vector3f color = sum.head<3>() / std::max(sum.w(), 1.0f);
-				const float alpha = sum.w() / float(FINE * FINE);
+				const float alpha = sum.w() / float(FINER * FINER);
 				bytes.insert(
 						bytes.end(), { to_srgb(color.x()), to_srgb(color.y()), to_srgb(color.z()), uint8_t(std::lround(255.0f * alpha)) });
 			}
@@ -156,13 +156,13 @@ void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p
 
 std::vector<uint8_t> draw_species(const PatchParams &p_patch, const PictureLook &p_look, int p_side) {
 	const Patch patch = generate_patch(p_patch);
-	Canvas canvas(FINE * p_side);
+	Canvas canvas(FINER * p_side);
 	if (!patch.is_empty() && !p_look.colors.empty()) {
 		const float tallest = patch.max_height + (p_look.card.empty() ? 0.0f : 0.5f * p_look.card_height);
 		const float texels = (FILLED - 0.5f * DEEP) * float(canvas.get_side()) / std::max(tallest, 1e-3f);
 		std::vector<DrawnBlade> blades;
-		for (int i = 0; i < BLADES; i++) {
-			blades.push_back(make_blade(patch, i * (GRASS_PATCH_BLADES / BLADES), canvas.get_side(), texels));
+		for (int i = 0; i < SHOWN_BLADES; i++) {
+			blades.push_back(make_blade(patch, i * (GRASS_PATCH_BLADES / SHOWN_BLADES), canvas.get_side(), texels));
 		}
 		std::sort(blades.begin(), blades.end(), [](const DrawnBlade &p_a, const DrawnBlade &p_b) { return p_a.depth > p_b.depth; });
 		for (const DrawnBlade &blade : blades) {
