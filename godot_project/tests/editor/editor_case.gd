@@ -4,6 +4,7 @@
 extends "res://tests/case.gd"
 
 const SCENE := "res://tests/editor/hills.tscn"
+const SIDE := 24  # metres, of SCENE
 const SAVED := "res://tests/editor/painted.tscn"  # the copy that tests paint on
 
 var field: GrassField
@@ -208,6 +209,45 @@ func is_for_pages() -> bool:
 ## The density of the grass in a picture for pages, else a tenth of it: software draws that in a fraction of the time.
 func density_of_picture(dense: float) -> float:
 	return dense if is_for_pages() else 0.1 * dense
+
+
+## Ground to look at: a square about the origin, `side` metres long. `height`: metres, by x and z.
+static func soil(side: int, height: Callable) -> MeshInstance3D:
+	var surface := SurfaceTool.new()
+	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	for z in side + 1:
+		for x in side + 1:
+			var place := Vector3(x - 0.5 * side, 0, z - 0.5 * side)
+			place.y = height.call(place.x, place.z)
+			surface.add_vertex(place)
+	for z in side:
+		for x in side:
+			for corner: int in [0, 1, side + 1, 1, side + 2, side + 1]:
+				surface.add_index(z * (side + 1) + x + corner)
+	surface.generate_normals()
+	var earth := StandardMaterial3D.new()
+	earth.albedo_color = Color(0.3, 0.26, 0.17)
+	var ground := MeshInstance3D.new()
+	ground.mesh = surface.commit()
+	ground.material_override = earth
+	return ground
+
+
+## Gives SCENE a sky and soil in a picture for pages. They are not saved.
+func add_landscape() -> void:
+	if is_for_pages():
+		var root := EditorInterface.get_edited_scene_root()
+		(root.get_node("Plain") as WorldEnvironment).environment = load("res://demo/day.tres")
+		root.add_child(soil(SIDE, _foot))
+
+
+## The lowest ground near a place, metres: soil hides no grass beside a ledge.
+func _foot(x: float, z: float) -> float:
+	var lowest := INF
+	for i in 9 if field.map else 0:
+		var near := Vector2(x, z) + Vector2(i % 3 - 1, i / 3 - 1)
+		lowest = minf(lowest, field.map.sample(GrassMap.CHANNEL_GROUND, near))
+	return lowest if field.map else 0.0
 
 
 ## Writes a picture of the editor, beside the test's copy of the project.

@@ -11,7 +11,6 @@ const DRAWN := [
 	"test_the_grass_before_the_stroke",
 	"test_the_answer_beside_the_cursor"
 ]  # see runner.gd
-const SIDE := 24  # metres
 
 
 func before() -> void:
@@ -28,25 +27,11 @@ func meadow() -> PackedScene:
 	var root := Node3D.new()
 	root.name = "Meadow"
 	var heights := PackedFloat32Array()
-	var surface := SurfaceTool.new()
-	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
 	for z in SIDE + 1:
 		for x in SIDE + 1:
-			var place := Vector3(x - 0.5 * SIDE, 0, z - 0.5 * SIDE)
-			place.y = height(place.x, place.z)
-			heights.append(place.y)
-			surface.add_vertex(place)
-	for z in SIDE:
-		for x in SIDE:
-			for corner: int in [0, 1, SIDE + 1, 1, SIDE + 2, SIDE + 1]:
-				surface.add_index(z * (SIDE + 1) + x + corner)
-	surface.generate_normals()
-	var soil := StandardMaterial3D.new()
-	soil.albedo_color = Color(0.3, 0.26, 0.17)
-	var terrain := MeshInstance3D.new()
+			heights.append(height(x - 0.5 * SIDE, z - 0.5 * SIDE))
+	var terrain := soil(SIDE, height)
 	terrain.name = "Terrain"
-	terrain.mesh = surface.commit()
-	terrain.material_override = soil
 	root.add_child(terrain)
 	var body := StaticBody3D.new()
 	body.name = "Ground"

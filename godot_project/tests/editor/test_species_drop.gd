@@ -99,6 +99,7 @@ func test_a_picture_that_is_dropped_on_a_tool_is_the_stamp() -> void:
 	await move(at(Vector3.ZERO))
 	field.density = 144.0
 	await wait_until(func() -> bool: return not field.get_statistics().waiting, "the field is made")
+	add_landscape()
 	await shoot("stamp")
 	await stroke([Vector3.ZERO])
 	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.0, 1.0)), 0.0, 0.01, "white erases")

@@ -47,6 +47,7 @@ func test_heat_map_of_density() -> void:
 	var thin := await seen_at(Vector3(0, 0.1, 0.5))
 	var full := await seen_at(Vector3(0, 0.1, -1.5))
 	assert_greater(full.r - full.b, thin.r - thin.b + 0.5, "red where all of it stands")  # 0.59 and -0.25
+	add_landscape()
 	await shoot("heat_map")
 
 
@@ -54,6 +55,7 @@ func test_handles_of_the_size() -> void:
 	field.size = Vector2(4, 3)
 	await select(field)
 	await shown()
+	add_landscape()
 	await shoot("size_handles")
 
 
@@ -67,6 +69,7 @@ func test_grass_on_a_terrain() -> void:
 	await wait_until(func() -> bool: return field.get_counters().terrain_waiting == 0 and field.map != null, "the terrain is read")
 	await shown()
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, 0.5)), terrain.get_height(Vector3(0.5, 0, 0.5)), 0.02)
+	add_landscape()
 	await shoot("terrain")
 
 
@@ -87,4 +90,5 @@ func test_a_path_that_a_rule_clears() -> void:
 	await shown()
 	assert_less(density(0, 0.4), 0.1)
 	assert_near(density(0, 2.5), 1.0, 0.01)
+	add_landscape()
 	await shoot("path")
