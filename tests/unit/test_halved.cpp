@@ -203,9 +203,3 @@ TEST_CASE("tile detail: chains are halved where at most three segments are drawn
 	detail.see(field, view, nullptr);
 	CHECK_FALSE(detail.is_halved(60, 119, true));
 }
-
-TEST_CASE("[Eq 51] halved chains: in five scenes tips are within half a pixel in 99 of 100 blades, and within two in all") {
-	for (int scene = 0; scene < int(SCENE_NAMES.size()); scene++) {
-		check_scene(scene, uint32_t(71 + scene), 150);
-	}
-}
