@@ -16,10 +16,12 @@ from tools.test.test_runs import Tally
 
 NAME = "gpu/start."
 SCENE = "res://tests/gpu/start.tscn"
+SIZE = "64x64"  # of the window, the least: which passes are made does not hang on it
 LIMIT = 400  # seconds; a tenth of a minute where nothing else runs
 PASSES = ("cull", "simulate", "gather", "join", "simulate free", "simulate edges")
 AGAIN = " many"  # ends the names of passes of the same code as others, compiled with the first tiles that share a workgroup
 KEPT_MOST = 64  # files, SHADER_FILES_MOST
+SHOWN = re.compile(r"(\d+) of its (\d+) pixels show blades")
 BEGUN, DONE = re.compile(r"^GrassField: compiling '(.+)'$"), re.compile(r"^GrassField: compiled '(.+)', shader (\w+) in ")
 
 
@@ -29,7 +31,7 @@ class Start:
 	def __init__(self, where, home):
 		self.words = []
 		homes = {f"XDG_{kind}_HOME": str(home / kind.lower()) for kind in ("DATA", "CONFIG", "CACHE")}
-		with engine.window(**where) as (command, environment):
+		with engine.window(**{**where, "size": SIZE}) as (command, environment):
 			everything = [*command, "--verbose", "--path", str(PROJECT), "--fixed-fps", "60", SCENE]
 			self.code = engine.run(everything, {**environment, **homes}, self.words.append, LIMIT)
 		self.result = "".join(line for line in self.words if line.startswith("GRASS-START "))
@@ -41,6 +43,8 @@ class Start:
 		errors = [line for line in self.words if "ERROR" in line or "WARNING: GrassField" in line]
 		assert not errors, errors
 		assert "bent 0:" not in self.result and self.result, f"nothing was simulated: {self.result}"
+		covered, pixels = map(int, SHOWN.search(self.result).groups())
+		assert covered > 0.2 * pixels, f"the picture shows too few blades: {self.result}"
 		shaders = {f"GrassField {name}": expected for name in PASSES}
 		found = {name: how for name, how in self.shaders.items() if not name.endswith(AGAIN)}
 		assert found == shaders, f"{found} instead of {shaders}"

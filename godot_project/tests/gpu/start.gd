@@ -14,7 +14,10 @@ func _ready() -> void:
 	var field := GrassField.new()
 	field.size = Vector2(4, 4)
 	field.wind_speed = 0.0
+	field.soil_enabled = false  # the picture shows blades and nothing else
 	add_child(field)
+	var window := get_viewport().get_viewport_rid()
+	RenderingServer.viewport_set_update_mode(window, RenderingServer.VIEWPORT_UPDATE_DISABLED)  # but for its pictures
 	var deadline := Time.get_ticks_msec() + 1000.0 * PATIENCE
 	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
 		OS.delay_msec(50)  # frames only take the time of the threads that compile
@@ -23,9 +26,13 @@ func _ready() -> void:
 	for i in 12:
 		await get_tree().physics_frame
 	var knots := field.wait_for_knots(field.get_tile_blades(field.get_tile_at(Vector3.ZERO)))
-	await RenderingServer.frame_post_draw
-	var picture := get_viewport().get_texture().get_image()
-	print("GRASS-START bent %d: knots %d, picture %d" % [field.get_counters().simulated_blades, hash(knots), hash(picture.get_data())])
+	RenderingServer.viewport_set_update_mode(window, RenderingServer.VIEWPORT_UPDATE_ALWAYS)
+	var picture := await _picture()
+	field.hide()
+	var covered := _count_differing(picture, await _picture())
+	var words := "GRASS-START bent %d: knots %d, picture %d, %d of its %d pixels show blades"
+	var pixels := picture.get_width() * picture.get_height()
+	print(words % [field.get_counters().simulated_blades, hash(knots), hash(picture.get_data()), covered, pixels])
 	get_tree().quit()
 
 
@@ -38,3 +45,18 @@ func _add_box() -> void:
 	body.add_child(shape)
 	body.position = Vector3(0, 0.2, 0)
 	add_child(body)
+
+
+## A picture that shows everything as it is now.
+func _picture() -> Image:
+	for i in 3:
+		await RenderingServer.frame_post_draw
+	return get_viewport().get_texture().get_image()
+
+
+func _count_differing(a: Image, b: Image) -> int:
+	var count := 0
+	for y in a.get_height():
+		for x in a.get_width():
+			count += int(a.get_pixel(x, y) != b.get_pixel(x, y))
+	return count
