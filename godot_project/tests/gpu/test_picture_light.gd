@@ -49,11 +49,12 @@ func shine(from: float, has_shadows: bool, ambient := 0.35) -> void:
 func under_a_sky(field: GrassField) -> void:
 	var sky := Sky.new()
 	sky.sky_material = ProceduralSkyMaterial.new()
+	sky.radiance_size = Sky.RADIANCE_SIZE_32  # it has no details
 	environment.sky = sky
 	environment.background_mode = Environment.BG_SKY
 	environment.ambient_light_source = Environment.AMBIENT_SOURCE_BG
 	field.visible = false
-	await frames(90)  # the sky's light is looked at twice
+	await frames(12)  # the sky's light comes in parts
 	field.visible = true
 
 
