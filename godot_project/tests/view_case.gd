@@ -68,9 +68,9 @@ func ticks(count: int) -> void:
 	await unseen(func() -> void: await super.ticks(count))
 
 
-func wait_for_threads(condition: Callable, what: String, by_ticks := false) -> bool:
+func wait_until(condition: Callable, what: String, by_ticks := false) -> bool:
 	var there := [false]
-	await unseen(func() -> void: there[0] = await super.wait_for_threads(condition, what, by_ticks))
+	await unseen(func() -> void: there[0] = await super.wait_until(condition, what, by_ticks))
 	return there[0]
 
 
