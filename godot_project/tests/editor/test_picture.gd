@@ -53,6 +53,9 @@ func meadow() -> PackedScene:
 	var world := WorldEnvironment.new()
 	world.name = "World"
 	world.environment = load("res://demo/day.tres")
+	if not is_for_pages():
+		world.environment = world.environment.duplicate(true)
+		world.environment.sky.radiance_size = Sky.RADIANCE_SIZE_32  # it has no details
 	root.add_child(world)
 	var sun := DirectionalLight3D.new()
 	sun.name = "Sun"
