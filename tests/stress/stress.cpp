@@ -46,7 +46,7 @@ const char *name_of(Method p_method) {
 
 int sized(int p_usual, int p_full) {
 #if defined(GRASS_IS_SANITIZED)
-	p_usual = std::max(p_usual / 40, 4); // as slow as that
+	p_usual = std::min(p_usual, std::max(p_usual / 40, 4)); // as slow as that
 #endif
 	const char *size = std::getenv("GRASS_STRESS");
 	return size && std::string(size) == "full" ? p_full : p_usual;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "blade_scene.h"
+#include "sampled.h"
 #include "sward.h"
 
 #include "core/solver/leaves.h"
@@ -205,13 +206,13 @@ TEST_CASE("METHOD_DIRECT: a body at rest beside a swing takes nothing of it, wha
 	const float segment = 0.5f / GRASS_SEGMENTS; // metres
 	std::mt19937 random(11);
 	std::uniform_real_distribution<float> between(-1.0f, 1.0f);
-	for (const float rate : { 30.0f, 60.0f, 144.0f }) {
+	for (const float rate : sampled({ 30.0f, 60.0f, 144.0f })) {
 		CAPTURE(rate);
 		const float alone = swing(rate, nullptr);
 		CHECK(alone > 0.05f);
 		for (const int shape : SHAPES) {
 			CAPTURE(shape);
-			for (const float gap : { 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 3.0f }) {
+			for (const float gap : { 0.1f, 0.15f, 0.3f, 0.6f, 3.0f }) {
 				CAPTURE(gap);
 				const Eigen::Quaternionf turn = Eigen::Quaternionf(between(random), between(random), between(random), 1.0f).normalized();
 				Beside body{ shape, turn, 0.3f + 0.2f * between(random), gap * segment };

@@ -3,7 +3,6 @@
 #include "sampled.h"
 
 #include "core/base/bytes.h"
-#include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_changes.h"
 
 #include <doctest/doctest.h>
@@ -16,11 +15,7 @@ using namespace grass::test;
 
 namespace {
 
-#if defined(GRASS_IS_SANITIZED)
-const int ROUNDS = 100;
-#else
 const int ROUNDS = sampled(1000);
-#endif
 
 // Changes some texels, channels and chunks of a map.
 PaintMap changed(const PaintMap &p_map, uint32_t p_seed) {

@@ -3,7 +3,6 @@
 #include "sampled.h"
 
 #include "core/base/bytes.h"
-#include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_file.h"
 
 #include <doctest/doctest.h>
@@ -16,12 +15,7 @@ using namespace grass::test;
 
 namespace {
 
-// Damaged files that a test tries; under sanitizers each takes twenty times as long.
-#if defined(GRASS_IS_SANITIZED)
-const int ROUNDS = 150;
-#else
-const int ROUNDS = sampled(200);
-#endif
+const int ROUNDS = sampled(200); // damaged files that a test tries
 
 void put_checksum(MapBytes &r_bytes, size_t p_at, size_t p_begin, size_t p_count) {
 	const uint32_t sum = checksum(std::span<const uint8_t>(r_bytes).subspan(p_begin, p_count));

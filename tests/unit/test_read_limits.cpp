@@ -4,7 +4,6 @@
 #include "sampled.h"
 
 #include "core/base/bytes.h"
-#include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_changes.h"
 
 #include <doctest/doctest.h>
@@ -17,11 +16,7 @@ using namespace grass::test;
 
 namespace {
 
-#if defined(GRASS_IS_SANITIZED)
-const int ROUNDS = 150;
-#else
-const int ROUNDS = sampled(2000);
-#endif
+const int ROUNDS = sampled(1500);
 
 size_t unpacked = 0; // bytes, since the last count
 const MapCodec COUNTING{ pack_runs, [](std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes) {

@@ -2,7 +2,6 @@
 #include "sampled.h"
 
 #include "core/base/bytes.h"
-#include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/base/shader_file.h"
 
 #include <doctest/doctest.h>
@@ -15,12 +14,7 @@ using namespace grass::test;
 
 namespace {
 
-// Damaged files that a test tries; under sanitizers each takes longer.
-#if defined(GRASS_IS_SANITIZED)
-const int ROUNDS = 300;
-#else
-const int ROUNDS = sampled(3000);
-#endif
+const int ROUNDS = sampled(3000); // damaged files that a test tries
 
 using Bytes = std::vector<uint8_t>;
 
