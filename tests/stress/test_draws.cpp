@@ -36,7 +36,7 @@ std::string run_draw(int p_number, int p_bodies, double p_largest, double p_spee
 } // namespace
 
 TEST_CASE("stress: random parameters, time steps and a few bodies, 600 frames of a tile each") {
-	check_each(sized(300, 10000), [](int p_number) { return run_draw(p_number, p_number % 5, 0.5, 30.0, FRAMES); });
+	check_each(sized(150, 10000), [](int p_number) { return run_draw(p_number, p_number % 5, 0.5, 30.0, FRAMES); });
 }
 
 TEST_CASE("stress: storms of hundreds of overlapping bodies of all shapes") {
@@ -62,6 +62,6 @@ TEST_CASE("stress: a thousand shapes in one place, for a second") {
 }
 
 TEST_CASE("stress: all lane widths compute what one float does, bit for bit") {
-	check_each(sized(300, 20000),
+	check_each(sized(150, 20000),
 			[](int p_number) { return find_difference(1000 + uint32_t(p_number), p_number % 2 ? Range::WILD : Range::EVERYDAY, 60); });
 }

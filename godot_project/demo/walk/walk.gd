@@ -13,7 +13,7 @@ const Parts := preload("res://demo/walk/parts.gd")
 const Tour := preload("res://demo/walk/tour.gd")
 ## Metres, side of the near field and of the hills; blades a square metre of the near field: few, so that few tiles are simulated, in tests
 ## without a GPU.
-const SIZES := {"large": [256, 1024, Country.NEAR_DENSITY], "small": [64, 320, Country.NEAR_DENSITY], "tiny": [64, 128, 64.0]}
+const SIZES := {"large": [256, 1024, Country.NEAR_DENSITY], "small": [64, 320, Country.NEAR_DENSITY], "tiny": [64, 128, 32.0]}
 const START := Vector3(0.0, 0.0, 9.0)
 const BALL := Vector3(0.2, 0.0, 4.5)
 const JEEP := Vector3(5.5, 0.0, 3.0)

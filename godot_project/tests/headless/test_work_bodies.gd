@@ -65,7 +65,7 @@ func add_crowd_asleep(count: int) -> void:
 
 ## A crowd that lies in the grass: where it is is asked of 64 bodies a tick, and no tile is looked at.
 func test_a_crowd_asleep_costs_a_few_calls_and_no_tiles() -> void:
-	var field := add_field({size = Vector2(40, 40), density = 16.0})  # tiles of 2 m: fewer to simulate until they are still
+	var field := add_field({size = Vector2(40, 40), density = 4.0})  # tiles of 4 m: fewer to simulate until they are still
 	await add_crowd_asleep(200)
 	var before := field.get_counters()
 	await ticks(64)
