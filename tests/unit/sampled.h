@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sample of what a test would try, where each instruction takes some forty times as long. The layer `arm64`, which emulates them, sets
 // GRASS_EMULATED, and shows with tests/bits that random scenes step to the same bits there as here. A sanitizer looks at what is read and
-// written, not at figures. Everywhere else all is tried.
+// written, not at figures; dev=yes, which is as slow, samples too. Everywhere else all is tried.
 #pragma once
 
 #include "core/base/lanes.h" // GRASS_IS_SANITIZED
