@@ -9,9 +9,9 @@ namespace grass {
 namespace {
 
 // A capsule's axis is its y.
-Eigen::Affine3d pose_along(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
+Eigen::Affine3d pose_between(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to, const Eigen::Affine3d &p_before) {
 	Eigen::Affine3d pose = Eigen::Affine3d::Identity();
-	pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), p_to - p_from).toRotationMatrix();
+	pose.linear() = swing_axes(p_before.linear(), p_to - p_from);
 	pose.translation() = 0.5 * (p_from + p_to);
 	return pose;
 }
@@ -36,8 +36,8 @@ void BoneColliders::collect(const FieldReach &p_reach, const MotionTick &p_tick,
 			collider.size = { bone.radius, 0.5 * (to - from).norm(), bone.radius };
 			collider.friction = NodeMotion::FRICTION;
 			collider.owner = id;
-			motions[key] = _motions[key];
-			motions[key].pose(pose_along(from, to), p_tick, collider);
+			NodeMotion &motion = motions[key] = _motions[key];
+			motion.pose(pose_between(from, to, motion.get_before()), p_tick, collider);
 			r_colliders.push_back(collider);
 			_reads.poses++;
 		}

@@ -16,6 +16,8 @@ public:
 
 	// Sets both poses of r_collider, which is at p_now, field space, in this tick.
 	void pose(const Eigen::Affine3d &p_now, const MotionTick &p_tick, ColliderShape &r_collider);
+	// Returns the pose in the tick before; the identity if there was none.
+	const Eigen::Affine3d &get_before() const { return _before; }
 	void forget() { _has_before = false; }
 
 private:

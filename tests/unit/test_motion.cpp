@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -212,4 +213,38 @@ TEST_CASE("motion: what is not finite, and ticks without time, move nothing") {
 	CHECK(stopped.from.back() == 0.0);
 	stopped.step(Vector3d(1.0, 0.0, 0.0));
 	CHECK_FALSE(stopped.swept_last());
+}
+
+TEST_CASE("motion: a limb that swings in any direction does not spin about itself") {
+	for (const Vector3d &down : { Vector3d(0, -1, 0), Vector3d(0, 1, 0), Vector3d(1, 0, 0), Vector3d(0.3, -0.2, -0.9) }) {
+		CAPTURE(down.transpose());
+		const Vector3d side = down.unitOrthogonal(), front = down.cross(side).normalized();
+		Eigen::Matrix3d axes = swing_axes(Eigen::Matrix3d::Identity(), down);
+		Vector3d along = axes.col(1);
+		for (int n = 1; n <= 400; n++) { // round and round, and through the middle
+			const double angle = 0.1 * n, sway = 0.4 * std::sin(0.37 * n);
+			const Vector3d wanted = (down + sway * (std::cos(angle) * side + std::sin(angle) * front)).normalized();
+			const Eigen::Matrix3d next = swing_axes(axes, 0.4 * wanted);
+			REQUIRE((next.col(1) - wanted).norm() < 1e-12);
+			REQUIRE((next.transpose() * next - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+			REQUIRE(next.determinant() > 0.0);
+			const double turn = Eigen::AngleAxisd(axes.transpose() * next).angle();
+			REQUIRE(turn <= 1.1 * std::acos(std::min(along.dot(wanted), 1.0)) + 1e-6);
+			axes = next;
+			along = wanted;
+		}
+	}
+}
+
+TEST_CASE("motion: a limb without a direction keeps its axes, one along their x has some") {
+	const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+	const Eigen::Matrix3d before = swing_axes(Eigen::Matrix3d::Identity(), Vector3d(1, 2, 3));
+	for (const Vector3d &axis : { Vector3d(0, 0, 0), Vector3d(nan, 0, 0), Vector3d(0, inf, 0) }) {
+		CHECK(swing_axes(before, axis) == before);
+	}
+	for (const double size : { 1e-150, 1.0, 1e150 }) {
+		const Eigen::Matrix3d axes = swing_axes(before, -size * before.col(0));
+		CHECK((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+		CHECK((axes.col(1) + before.col(0)).norm() < 1e-12);
+	}
 }

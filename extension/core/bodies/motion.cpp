@@ -94,4 +94,18 @@ bool Motion::follow_turn(double p_angle, double p_own) {
 	return p_angle <= PLAUSIBLE_TURN + (1.0 + ALIKE) * explained;
 }
 
+Eigen::Matrix3d swing_axes(const Eigen::Matrix3d &p_before, const Eigen::Vector3d &p_axis) {
+	const double length = p_axis.stableNorm();
+	if (!(length > 0.0 && std::isfinite(length))) {
+		return p_before;
+	}
+	const Eigen::Vector3d y = p_axis / length, x = p_before.col(0) - p_before.col(0).dot(y) * y;
+	const bool turns_onto_x = x.squaredNorm() < 1e-6;
+	Eigen::Matrix3d axes;
+	axes.col(0) = turns_onto_x ? y.unitOrthogonal() : x.normalized();
+	axes.col(1) = y;
+	axes.col(2) = axes.col(0).cross(y);
+	return axes;
+}
+
 } // namespace grass

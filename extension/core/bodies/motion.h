@@ -65,4 +65,8 @@ private:
 	bool _is_new = false; // found in the last tick; its motion is unknown
 };
 
+// Returns the axes of a limb whose y runs along p_axis, metres. They are as near to p_before as that allows, so that a limb that swings
+// does not spin about itself. p_before, which must be orthonormal, if p_axis has no direction.
+Eigen::Matrix3d swing_axes(const Eigen::Matrix3d &p_before, const Eigen::Vector3d &p_axis);
+
 } // namespace grass
