@@ -3,7 +3,7 @@
 // In double precision and without a chain, to hold the solver against.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <functional>
@@ -73,7 +73,7 @@ struct KirchhoffRod {
 					constexpr double SMALL = 1e-6;
 					change.col(c) = (rod.shoot(moment + Eigen::Vector3d::Unit(c) * SMALL).moment - found) / SMALL;
 				}
-				moment -= change.partialPivLu().solve(found);
+				moment -= change.inverse() * found;
 			}
 		}
 		return rod.shoot(moment).place;

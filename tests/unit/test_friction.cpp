@@ -6,7 +6,7 @@
 
 #include "core/solver/chain.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 using namespace grass;
 using namespace grass::test;
@@ -38,7 +38,8 @@ Eigen::Vector3d find_tip_force(const BladeScene &p_scene, int p_blade) {
 		const Vec3<double> turn = joints[s].turn + joints[s].axis * dot(joints[s].axis, joints[s].turn);
 		moments.segment<3>(3 * (s - 1)) = Eigen::Vector3d(turn.x, turn.y, turn.z) * joint_stiffness(blade, s, chain, 1.0);
 	}
-	return levers.colPivHouseholderQr().solve(moments);
+	const Eigen::Matrix3d normal = levers.transpose() * levers;
+	return normal.inverse() * (levers.transpose() * moments);
 }
 
 // A plate comes down on the tips to 80 % of the blades' length, rests for a second and is pulled aside at p_speed (m/s) for two, at least
