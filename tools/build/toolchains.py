@@ -87,6 +87,14 @@ def needs(system, arch):
 	return found
 
 
+def clang_for_arm64():
+	"""clang for Linux on arm64, as a command, with the files of the GCC that is there. Only to build what nobody ships."""
+	gcc, clang = tool(f"{GNU['arm64']}-g++"), tool(CLANG, "clang++")
+	return f"{clang} --target={GNU['arm64']} --gcc-toolchain={pathlib.Path(gcc).parent.parent}" if gcc and clang else None
+
+
+CLANG = "clang++-14"  # of the packages of which tools/test/tidy.py takes clang-tidy
+CLANG_NEED = (lambda: tool(CLANG, "clang++"), ("clang-14", "patchelf"), CROSS)
 WINE = (lambda: tool("wine64"), ("wine64", "patchelf"), CROSS)
 QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), CROSS)
 
