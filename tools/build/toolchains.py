@@ -10,6 +10,7 @@ import pathlib
 import platform
 import re
 import shutil
+import subprocess
 
 from tools.fetch import machine
 from tools.fetch.roots import CROSS, GLIBC
@@ -87,14 +88,29 @@ def needs(system, arch):
 	return found
 
 
+CLANG = "14"  # Debian 12's, as of clang-tidy
+
+
+def clang():
+	"""The path of clang, which compiles what only tests take, in half of GCC's time. None if it is not fetched yet."""
+	return tool(f"clang++-{CLANG}", "clang++")
+
+
 def clang_for_arm64():
-	"""clang for Linux on arm64, as a command, with the files of the GCC that is there. Only to build what nobody ships."""
-	gcc, clang = tool(f"{GNU['arm64']}-g++"), tool(CLANG, "clang++")
-	return f"{clang} --target={GNU['arm64']} --gcc-toolchain={pathlib.Path(gcc).parent.parent}" if gcc and clang else None
+	"""clang for Linux on arm64, as a command, with the headers and libraries of the GCC that is there."""
+	gcc = pathlib.Path(tool(f"{GNU['arm64']}-g++"))
+	return f"{clang()} --target={GNU['arm64']} --gcc-toolchain={gcc.parent.parent}"
 
 
-CLANG = "clang++-14"  # of the packages of which tools/test/tidy.py takes clang-tidy
-CLANG_NEED = (lambda: tool(CLANG, "clang++"), ("clang-14", "patchelf"), CROSS)
+def clang_sanitizer():
+	"""The address sanitizer's library of clang. None if it is missing."""
+	if not clang():
+		return None
+	folder = subprocess.run([clang(), "-print-runtime-dir"], capture_output=True, text=True).stdout.strip()
+	return next(pathlib.Path(folder).glob("libclang_rt.asan*.a"), None)
+
+
+CLANG_NEED = (clang_sanitizer, (f"clang-{CLANG}", f"libclang-rt-{CLANG}-dev", "patchelf"), CROSS)
 WINE = (lambda: tool("wine64"), ("wine64", "patchelf"), CROSS)
 QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), CROSS)
 

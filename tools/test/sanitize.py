@@ -10,7 +10,7 @@ import re
 import shutil
 import subprocess
 
-from tools.build import build
+from tools.build import build, toolchains
 from tools.fetch import machine
 from tools.places import BUILD, PROJECT
 from tools.run import engine
@@ -100,8 +100,9 @@ def in_engine(layer, started, only, may_be_none):
 
 
 def run_short(only):
-	"""Runs a few of the core's tests: for every change, in a minute, building included."""
-	build.scons("bounds", MEMORY)
+	"""Runs a few of the core's tests, built by clang: for every change, in a minute, building included."""
+	machine.ensure(toolchains.CLANG_NEED)
+	build.scons("bounds", MEMORY, f"cxx={toolchains.clang()}")
 	return of_core("bounds", MEMORY, only)
 
 
