@@ -3,6 +3,7 @@
 // In double precision and without a chain, to hold the solver against.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
