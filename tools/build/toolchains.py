@@ -88,7 +88,7 @@ def needs(system, arch):
 	return found
 
 
-CLANG = "14"  # Debian 12's, as of clang-tidy
+CLANG = "14"  # Debian 12's; of clang-tidy and clang-format as well
 
 
 def clang():

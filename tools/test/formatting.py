@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 
+from tools.build.toolchains import CLANG
 from tools.fetch import machine, pip_packages
 from tools.fetch.roots import CROSS
 from tools.pages import prose
@@ -19,7 +20,6 @@ from tools.say import Failure
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
-CLANG_FORMAT = "14"  # Debian 12's
 KINDS = {
 	"cpp": (".c", ".cpp", ".h", ".hpp"),
 	"python": (".py",),
@@ -43,18 +43,16 @@ def sources(kind):
 
 def clang_format():
 	"""The path of a clang-format of the right version, the machine's or the fetched one. None if there is neither."""
-	fetched = CROSS.place / f"usr/bin/clang-format-{CLANG_FORMAT}"
-	for found in filter(
-		None, (shutil.which(f"clang-format-{CLANG_FORMAT}"), shutil.which("clang-format"), fetched.exists() and str(fetched))
-	):
+	fetched = CROSS.place / f"usr/bin/clang-format-{CLANG}"
+	for found in filter(None, (shutil.which(f"clang-format-{CLANG}"), shutil.which("clang-format"), fetched.exists() and str(fetched))):
 		said = subprocess.run([found, "--version"], capture_output=True, text=True).stdout
-		if f"version {CLANG_FORMAT}." in said:
+		if f"version {CLANG}." in said:
 			return found
 	return None
 
 
 def ensure():
-	machine.ensure((clang_format, (f"clang-format-{CLANG_FORMAT}", "patchelf"), CROSS))
+	machine.ensure((clang_format, (f"clang-format-{CLANG}", "patchelf"), CROSS))
 	pip_packages.ensure(REQUIREMENTS, PACKAGES, "formatters of Python and GDScript")
 	if not (PACKAGES / ".cache").exists():  # gdformat makes it, and fails where two of its processes do so at once
 		run(formatters()["gdscript"][1], [path.relative_to(ROOT) for path in sources("gdscript")[:1]])

@@ -15,7 +15,6 @@ from tools.fetch.roots import CROSS
 from tools.places import BUILD, ROOT
 from tools.say import Failure, progress
 
-VERSION = "14"  # Debian 12's, as of clang-format
 PLACE = "build/tidy"
 MOST = 200  # files that are looked at as one
 APART = ("binding", "old_glibc")  # the engine's interface, in godot-cpp's ways; a few symbols for the linker
@@ -23,11 +22,13 @@ INCLUDES_SOURCES = "-bugprone-suspicious-include"  # it does so on purpose
 
 
 def clang_tidy():
-	return toolchains.tool(f"clang-tidy-{VERSION}")
+	return toolchains.tool(f"clang-tidy-{toolchains.CLANG}")
 
 
 def ensure():
-	machine.ensure(*machine.BUILDING, (clang_tidy, (f"clang-tidy-{VERSION}", f"libclang-common-{VERSION}-dev", "patchelf"), CROSS))
+	machine.ensure(
+		*machine.BUILDING, (clang_tidy, (f"clang-tidy-{toolchains.CLANG}", f"libclang-common-{toolchains.CLANG}-dev", "patchelf"), CROSS)
+	)
 	if not (BUILD / "gen/class_docs.gen.h").exists():
 		raise Failure("Build once before: `./grass build`.")
 
