@@ -2,7 +2,7 @@
 """`./grass format` formats every source, and the layer `format` fails on those that it would change.
 
 C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat; comments and
-pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked.
+pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So are waits in C++ (waits.py).
 """
 
 import os
@@ -17,6 +17,7 @@ from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
+from tools.test import waits
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
@@ -123,10 +124,10 @@ def lint():
 
 
 def layer(only, tally):
-	"""The layer `format`: a test for each kind of source. Returns `tally`."""
+	"""The layer `format`: a test for each kind of source, and for what no source may do. Returns `tally`."""
 	ensure()
 	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS if kind != "pages"}
-	for name, wrong in {**checks, "lint": lint}.items():
+	for name, wrong in {**checks, "lint": lint, "waits": waits.forbidden}.items():
 		if only in f"format/{name}":
 			found = wrong()
 			for text in found:
