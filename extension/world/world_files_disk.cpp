@@ -117,14 +117,16 @@ void WorldFiles::write_file(const PlotsPlace &p_place, const PlotKey &p_key, con
 		std::lock_guard lock(_mutex);
 		is_refused = _refused.erase(name_of(path)) > 0;
 	}
-	if (is_refused) {
-		DirAccess::rename_absolute(path, unread_path(path));
+	const bool is_aside = !is_refused || DirAccess::rename_absolute(path, unread_path(path)) == OK; // else it is in use, or may not be moved
+	if (!is_aside) {
+		std::lock_guard lock(_mutex);
+		_refused.insert(name_of(path));
 	}
 	const bool has_folder = !p_place.to.is_empty() && DirAccess::make_dir_recursive_absolute(p_place.to) == OK;
 	if (has_folder) {
 		FoldersOfSize::mark(p_place.to, p_place.plot_size);
 	}
-	if (!has_folder || write_map_file(p_data, path) != OK) {
+	if (!is_aside || !has_folder || write_map_file(p_data, path) != OK) {
 		ERR_PRINT(vformat("%s: plot (%d, %d) cannot be written to `%s`. It stays in memory until save() can write it.", _folders.label,
 				p_key.x, p_key.z, p_place.to));
 		keep(p_place, p_key, p_data);

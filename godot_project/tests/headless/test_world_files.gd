@@ -194,3 +194,25 @@ func test_a_world_that_is_freed_says_what_is_lost() -> void:
 	await go(world, PLACE)
 	assert_eq(density(world), 1.0)
 	world.free()
+
+
+func test_what_cannot_be_put_aside_is_not_written_over() -> void:
+	var broken := PackedByteArray([1, 2, 3])
+	DirAccess.make_dir_recursive_absolute(FOLDER)
+	FileAccess.open(path_of(Vector2i.ZERO), FileAccess.WRITE).store_buffer(broken)
+	var aside := path_of(Vector2i.ZERO) + ".unread"
+	DirAccess.make_dir_absolute(aside)  # as a file in use on Windows, it cannot be replaced
+	FileAccess.open(aside.path_join("full"), FileAccess.WRITE).store_8(1)
+	expect_error("has a map that cannot be read")
+	expect_error("cannot be written")
+	allow_error("rename")
+	var world := add_world()
+	await go(world, PLACE)
+	erase(world, PLACE)
+	world.save()
+	assert_eq(FileAccess.get_file_as_bytes(path_of(Vector2i.ZERO)), broken, "the file that nobody could read")
+	DirAccess.remove_absolute(aside.path_join("full"))
+	DirAccess.remove_absolute(aside)
+	world.save()
+	assert_eq(FileAccess.get_file_as_bytes(aside), broken, "put aside, now that it can be")
+	assert_eq(in_file(FOLDER), 0.0, "the changed plot")
