@@ -93,6 +93,8 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;
 	result["knot_waits"] = backend.knot_waits;
+	result["energy_reads"] = backend.energy_reads;
+	result["undrawn_batches"] = backend.undrawn_batches;
 	result["mixes"] = backend.mixes;
 	result["knots_age"] = backend.knots_age;
 	result["culls"] = backend.culls;

@@ -251,6 +251,7 @@ BackendStatistics GpuBackend::get_statistics() {
 	statistics.compiling = CompileQueue::get().count_compiling();
 	statistics.knots_read = _knots_read;
 	statistics.knot_waits = _knot_waits;
+	statistics.undrawn_batches = RenderQueue::get_singleton()->get_undrawn_batches();
 	statistics.knots_age = _watch.get_age(_steps);
 	return statistics;
 }

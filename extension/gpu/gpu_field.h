@@ -126,6 +126,7 @@ private:
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimeshes);
 	void make_drawn_texture(int64_t p_places);
+	void read_energy(uint64_t p_number);
 	void report_counts(int64_t p_uploaded);
 	void report_times();
 	void report_memory();
@@ -174,6 +175,7 @@ private:
 	PoolMix _mix;
 	godot::Ref<godot::Texture2DRD> _before; // null: nothing reads them
 	int _used_rows = 0; // of the pool's texture
+	uint64_t _energy_batch = UINT64_MAX; // in which the energies were asked for last
 	bool _has_kept = false; // since the last frame
 	bool _has_moved = false; // whether blades have, since the copy was made
 	KnotReader _reader;

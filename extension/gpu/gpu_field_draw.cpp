@@ -135,7 +135,9 @@ void GpuField::report_counts(int64_t p_uploaded) {
 		statistics.shadow_blades = p_data.decode_u32(4 * (COUNT_BLADES + 1));
 		statistics.left_out_tiles = { p_data.decode_u32(4 * COUNT_LEFT_OUT), p_data.decode_u32(4 * (COUNT_LEFT_OUT + 1)) };
 	};
-	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS_TOLD * 4, receive);
+	if (!RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS_TOLD * 4, receive)) {
+		_table_changed = true; // the next frame counts again
+	}
 	if (!_plants.is_empty()) {
 		const auto receive_plants = [report = _report, targets = _plants.get_targets()](const PackedByteArray &p_data) {
 			if (p_data.size() >= GRASS_MAX_SPECIES * 4) {

@@ -234,11 +234,19 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
-	// The device makes the copy between the dispatches of this step and the next one, so it has this step's energies, which are those at
-	// its start.
-	const auto receive = [report = _report, number = p_records.number - 1](const PackedByteArray &p_data) {
+	read_energy(p_records.number - 1);
+}
+
+// Asks for the energies after a step, once in a batch: the answers come all together. The device makes the copy between the dispatches of
+// this step and the next one, so it has this step's energies, which are those at its start: after step p_number.
+void GpuField::read_energy(uint64_t p_number) {
+	RenderQueue *queue = RenderQueue::get_singleton();
+	if (queue->get_batch() == _energy_batch) {
+		return;
+	}
+	const auto receive = [report = _report, p_number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
-		report->energy_step = number;
+		report->energy_step = p_number;
 		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
 		report->energy.resize(slots);
 		report->bends.resize(slots);
@@ -249,7 +257,11 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 			report->bends[slot] = { record.y, record.z, record.w };
 		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_pool_size * int64_t(sizeof(vec4))), receive);
+	if (queue->read_later(_energy.rid(), uint32_t(_used_rows * int64_t(sizeof(vec4))), receive)) {
+		_energy_batch = queue->get_batch();
+		std::lock_guard lock(_report->mutex);
+		_report->statistics.energy_reads++;
+	}
 }
 
 } // namespace grass

@@ -169,6 +169,7 @@ void GrassField::_frame(double p_delta) {
 
 // Runs when the camera has its pose of this frame, which is not earlier. Also runs in a paused tree, unlike frame().
 void GrassField::_before_draw() {
+	last_drawn_frame = Engine::get_singleton()->get_process_frames();
 	if (!advance() || !_standing.stands()) {
 		return;
 	}

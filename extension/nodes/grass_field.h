@@ -17,6 +17,7 @@
 #include "nodes/field_monitors.h"
 #include "physics/field_bodies.h"
 #include "physics/ground_rays.h"
+#include "shared/frames.h"
 #include "shared/property_value.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -278,6 +279,7 @@ private:
 	mutable bool _has_reported = false; // whether message() has included version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as last reported to the editor
+	UndrawnTicks _undrawn;
 	uint64_t _moved_in = UINT64_MAX; // the physics tick in which a step last moved blades; none if they are drawn without interpolation
 	double _gather_ms = 0.0, _plants_ms = 0.0,
 		   _frame_ms = 0.0; // CPU time: of reading bodies and of plants in the last tick; of the last frame

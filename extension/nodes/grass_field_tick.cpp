@@ -40,6 +40,9 @@ void GrassField::_physics_tick(double p_delta) {
 	if (!outlives(*this, [&] { _work.recover(p_delta); }) || !_standing.stands()) { // a listener of the map removed it
 		return;
 	}
+	if (_undrawn.count(last_drawn_frame, Engine::get_singleton()->get_physics_frames())) {
+		_standing.read_asked(); // otherwise _before_draw() does it
+	}
 	if (!_standing.begin_tick(is_listened_to(), p_delta)) {
 		_bodies.get_tracker().forget_left();
 		return;

@@ -62,6 +62,8 @@ const COUNTERS: Array[String] = [
 	"uploaded_bytes",
 	"knots_read",
 	"knot_waits",
+	"energy_reads",
+	"undrawn_batches",
 	"knots_age",
 	"mixes",
 	"culls",
