@@ -24,6 +24,7 @@
 #include "resources/grass_quality.h"
 #include "resources/grass_species.h"
 #include "resources/size_limits.h"
+#include "shared/keep_loaded.h"
 #include "shared/parallel.h"
 #include "shared/scene_watch.h"
 #include "world/grass_world.h"
@@ -92,6 +93,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 
 extern "C" GDExtensionBool GDE_EXPORT grass_field_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
 		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+	grass::keep_library_loaded();
 	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(initialize_grass_field);
 	init.register_terminator(uninitialize_grass_field);

@@ -128,6 +128,6 @@ def link_old_glibc(env, arch):
 	folders = [unwinder.parent, root / f"usr/lib/{name}"]
 	env.Append(
 		LINKFLAGS=[f"--sysroot={root}", f"-B{folders[1]}", *(f"-L{folder}" for folder in folders), "-Wl,--no-as-needed"],
-		LIBS=["pthread"],
+		LIBS=["pthread", "dl"],
 	)
 	return ["extension/old_glibc/old_glibc.cpp"]
