@@ -87,9 +87,13 @@ void add_eyes(XRInterface &p_headset, const Camera3D *p_camera, Viewport *p_view
 	}
 }
 
-// The headset that shows a viewport's picture, if any.
+// The headset that shows a viewport's picture, if any. Engines that are built with `disable_xr=yes` have no viewport that could say so.
 Ref<XRInterface> find_headset(Viewport *p_viewport) {
-	const Ref<XRInterface> headset = p_viewport->is_using_xr() ? XRServer::get_singleton()->get_primary_interface() : Ref<XRInterface>();
+	static const bool has_xr = p_viewport->has_method("is_using_xr");
+	if (!has_xr || !p_viewport->is_using_xr()) {
+		return {};
+	}
+	const Ref<XRInterface> headset = XRServer::get_singleton()->get_primary_interface();
 	return headset.is_valid() && headset->is_initialized() ? headset : Ref<XRInterface>();
 }
 

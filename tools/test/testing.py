@@ -19,6 +19,7 @@ from tools.test import (
 	driver_tests,
 	drivers,
 	formatting,
+	lacking,
 	quitting,
 	sanitize,
 	side_by_side,
@@ -69,6 +70,7 @@ def gpu(only, hardware):
 		with engine.window(method, **where) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
 	tally.add(quitting.layer(only, plain))
+	tally.add(lacking.layer(only, where))
 	tally.add(starting.layer(only, where))
 	tally.add(stereo.layer(only, where))
 	if not hardware:

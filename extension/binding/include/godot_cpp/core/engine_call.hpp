@@ -15,19 +15,23 @@ namespace internal {
 // first asked for, freed with the object. Null for null.
 Object *get_object_instance_binding(GodotObject *p_object);
 
-// One method of an engine class, looked up at its first call and then called straight.
+// One method of an engine class, looked up at its first call and then called straight. Engines are built without some: calls of these do
+// nothing and return what is empty, and the first one says so.
 struct EngineMethod {
 	const char *class_name;
 	const char *name;
 	int64_t hash;
 	std::atomic<GDExtensionMethodBindPtr> bind = nullptr;
+	std::atomic<bool> is_missed = false;
 
 	GDExtensionMethodBindPtr get() {
 		GDExtensionMethodBindPtr found = bind.load(std::memory_order_acquire);
 		return likely(found) ? found : find();
 	}
 	void call(GodotObject *p_owner, const GDExtensionConstTypePtr *p_arguments, void *r_result) {
-		gdextension_interface::object_method_bind_ptrcall(get(), p_owner, p_arguments, r_result);
+		if (const GDExtensionMethodBindPtr found = get(); likely(found)) {
+			gdextension_interface::object_method_bind_ptrcall(found, p_owner, p_arguments, r_result);
+		}
 	}
 	Variant call_variants(GodotObject *p_owner, const Variant *const *p_arguments, int p_count);
 	GDExtensionMethodBindPtr find();
