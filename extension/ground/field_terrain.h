@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace grass {
 
@@ -62,11 +63,11 @@ public:
 private:
 	// Runs p_ask, which calls methods of the terrain. The field makes no other calls to the terrain until this returns.
 	template <typename F> bool ask(F &&p_ask) {
-		_is_asking = true;
+		const bool was_asking = std::exchange(_is_asking, true); // such a method may tell of a change, for which another one is asked
 		if (!outlives(_node, p_ask)) {
 			return false;
 		}
-		_is_asking = false;
+		_is_asking = was_asking;
 		return true;
 	}
 	bool find(const TerrainSource::Handlers &p_handlers);

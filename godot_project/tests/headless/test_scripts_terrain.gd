@@ -50,6 +50,9 @@ class DataTerrain:
 
 	class Data:
 		extends RefCounted
+
+		signal region_changed(x: int, z: int, width: int, depth: int, channel: int)
+
 		var told: Callable
 
 		func get_resolution() -> int:
@@ -109,6 +112,31 @@ func test_a_terrain_is_asked() -> void:
 			await until_heard(),
 		"chunks_changed by a terrain"
 	)
+
+
+## Data of a terrain that reports a change while it is read, and then puts the field elsewhere: nothing is read within a reading.
+func test_a_terrain_that_changes_while_it_is_read() -> void:
+	var depth := [0, 0]  # of readings: now, and at most
+	var changes := [0]
+	var field := add_level()
+	await ticks(2)
+	var terrain := DataTerrain.new()
+	add_terrain(terrain, "")
+	terrain.data.told = func(method: String) -> void:
+		if method != "get_interpolated_height_at":
+			return
+		depth[0] += 1
+		depth[1] = maxi(depth[0], depth[1])
+		if depth[0] < 3 and changes[0] < 3:
+			changes[0] += 1
+			terrain.data.region_changed.emit(0, 0, 4, 4, 0)
+			remove_and_add(field)
+			field.get_density_at(Vector3.ZERO)
+		depth[0] -= 1
+	field.terrain = field.get_path_to(terrain)
+	await wait_until(func() -> bool: return changes[0] == 3, "the terrain is asked")
+	assert_eq(depth[1], 1)
+	clean_up()
 
 
 ## In a frame of a field that stands, and where the field is made.
