@@ -10,6 +10,8 @@
 
 #include <godot_cpp/core/object.hpp>
 
+#include <utility>
+
 using namespace godot;
 
 namespace grass {
@@ -37,11 +39,11 @@ FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
 
 // Changes the map without queueing the change as one made by others.
 template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change) {
-	_is_filling = true;
+	const bool was_filling = std::exchange(_is_filling, true);
 	if (!outlives(_node, [&] { r_result = p_map.ptr()->change(p_change); })) {
 		return false;
 	}
-	_is_filling = false;
+	_is_filling = was_filling;
 	_cells += r_result.cells;
 	return true;
 }
@@ -60,6 +62,7 @@ bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_c
 	if (!watch_instead(_rule, p_rule, p_changed)) {
 		return true;
 	}
+	_gatherer.listen(_rule.is_valid() ? p_changed : Callable());
 	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
 		const Ref<GrassMap> map = p_map; // NOLINT(performance-unnecessary-copy-initialization): a script may drop the field's own
 		FillResult result;
@@ -76,11 +79,16 @@ void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
 	_state = LiveFill(); // without it the map keeps what was filled
 }
 
+bool FieldFiller::read_meshes(const Place &p_place) {
+	const Ref<GrassFillRule> rule = _rule; // a script may drop it
+	return rule.is_null() || _gatherer.read_meshes(**rule, &_node, p_place.transform);
+}
+
 std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
-	if (_rule.is_null()) {
+	if (_rule.is_null() || !_node.is_inside_tree()) {
 		return {};
 	}
-	Gathered gathered{ rule_for(**_rule, p_place), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+	Gathered gathered{ rule_for(**_rule, p_place), _gatherer.gather(**_rule, &_node, p_place.transform) };
 	gathered.sources.terrain = _terrain;
 	return gathered;
 }
@@ -89,17 +97,29 @@ Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
 	return Object::cast_to<Node3D>(ObjectDB::get_instance(_gatherer.get_node_of(p_obstacle)));
 }
 
-void FieldFiller::look(const Place &p_place) {
+// A script of a mesh may take the map, the rule or the field away: then there is nothing to fill.
+bool FieldFiller::look(const Place &p_place) {
 	_has_changed = false;
 	_revision = scene_revision();
 	_frames_to_look = FRAMES_BETWEEN_LOOKS;
-	const auto now = gather(p_place);
-	_state.set(now->rule, now->sources, p_place.region);
+	const uint64_t maps = _maps;
+	if (!read_meshes(p_place)) {
+		return false;
+	}
+	if (const auto now = gather(p_place); now && maps == _maps) {
+		_state.set(now->rule, now->sources, p_place.region);
+	}
+	return true;
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_once) {
-	look(p_place);
+	if (!look(p_place)) {
+		return false;
+	}
+	if (!_state.is_set()) {
+		return true;
+	}
 	_replacements = p_map->get_replacements();
 	_base_density = p_map->get_base_density();
 	_has_finished = _state.get_waiting() == 0;
@@ -111,10 +131,11 @@ bool FieldFiller::update(Ref<GrassMap> p_map, const Place &p_place) {
 	if (_rule.is_null() || !_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
 		return true;
 	}
-	if (_has_changed || _revision != scene_revision() || --_frames_to_look <= 0) {
-		look(p_place);
+	const bool is_due = _has_changed || _revision != scene_revision() || --_frames_to_look <= 0;
+	if (is_due && !look(p_place)) {
+		return false;
 	}
-	return _state.get_waiting() == 0 || work(p_map, CHUNKS_A_FRAME);
+	return !_state.is_set() || _state.get_waiting() == 0 || work(p_map, CHUNKS_A_FRAME);
 }
 
 void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &p_chunks) {
@@ -140,10 +161,14 @@ void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
 	_terrain = p_ids;
 }
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
-double FieldFiller::fill(Ref<GrassMap> p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop map and rule
+double FieldFiller::fill(Ref<GrassMap> p_map, Ref<GrassFillRule> p_rule, const Place &p_place) {
+	FillGatherer gatherer;
+	if (!gatherer.read_meshes(**p_rule, &_node, p_place.transform) || !_node.is_inside_tree()) {
+		return 0.0;
+	}
 	const FillRule rule = rule_for(**p_rule, p_place);
-	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
+	FillSources sources = gatherer.gather(**p_rule, &_node, p_place.transform);
 	sources.terrain = _terrain;
 	FillResult result;
 	(void)change(p_map, result, [&](PaintMap &r_map) { // nothing may follow this

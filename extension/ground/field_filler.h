@@ -22,15 +22,15 @@ class FieldFiller {
 public:
 	explicit FieldFiller(const godot::Node3D &p_field) : _node(p_field) {}
 
-	// What to fill: the field's node, its transform (global, without scale), its rectangle.
+	// What to fill.
 	struct Place {
-		godot::Node3D *node;
-		godot::Transform3D transform;
-		MapRegion region;
+		godot::Transform3D transform; // of the field: global, without scale
+		MapRegion region; // its rectangle
 		Eigen::Vector2d noise_origin; // metres, see FieldProperties
 	};
 
-	// Sets the rule. p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
+	// Sets the rule. p_changed: called when the rule changes, or a mesh that it reads; it must call rule_changed(). Without a rule, removes
+	// from p_map (may be null) what the last one filled.
 	[[nodiscard]] bool set_rule(
 			const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
 	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
@@ -38,9 +38,15 @@ public:
 	bool is_live() const { return _is_live; }
 	bool is_active() const { return _rule.is_valid() && _is_live; } // fills a map
 	bool is_set() const { return _state.is_set(); } // has begun to fill
-	void rule_changed() { _has_changed = true; }
+	void rule_changed() {
+		_has_changed = true;
+		_gatherer.set_mesh_changed();
+	}
 	// Must be called for another map, in which nothing is filled yet.
-	void forget_map() { _state = LiveFill(); }
+	void forget_map() {
+		_state = LiveFill();
+		_maps++;
+	}
 
 	// Reads the rule. p_at_once: fills the whole map by it.
 	[[nodiscard]] bool start(godot::Ref<GrassMap> p_map, const Place &p_place, bool p_at_once);
@@ -54,9 +60,11 @@ public:
 	void set_terrain(const std::shared_ptr<const TerrainIds> &p_ids);
 	void touch_textures(const MapRegion &p_region) { _state.touch_textures(p_region); }
 	// Fills by any rule, once. Returns the square metres of full grass added.
-	double fill(godot::Ref<GrassMap> p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
+	double fill(godot::Ref<GrassMap> p_map, godot::Ref<GrassFillRule> p_rule, const Place &p_place);
 
-	// What the rule needs now; empty without a rule.
+	// Reads the meshes that the rule needs, which may be scripts. Must be called before gather().
+	[[nodiscard]] bool read_meshes(const Place &p_place);
+	// What the rule needs now; empty without a rule, and outside of the tree.
 	struct Gathered {
 		FillRule rule;
 		FillSources sources;
@@ -69,7 +77,7 @@ public:
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	void look(const Place &p_place);
+	bool look(const Place &p_place);
 	template <typename F> bool change(const godot::Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change);
 	bool work(const godot::Ref<GrassMap> &p_map, int p_chunks);
 
@@ -83,6 +91,7 @@ private:
 	bool _is_filling = false; // the field itself is changing the map
 	uint64_t _revision = 0; // of exclusions and paths, when last read
 	bool _has_finished = false; // since take_finished()
+	uint64_t _maps = 0; // calls of forget_map(), by which look() notices one
 	uint64_t _replacements = 0; // of the map's contents, as last seen
 	double _base_density = 0.0; // of the map, as last seen
 	int _frames_to_look = 0;

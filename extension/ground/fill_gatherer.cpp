@@ -14,8 +14,6 @@
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/variant/packed_color_array.hpp>
-#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -81,22 +79,25 @@ PackedVector3Array points_of(const Node3D *p_node) {
 	return points;
 }
 
-// Adds a surface's triangles with the red of their vertex colours, or 1 where the mesh has none.
-void add_triangles(FillMesh &r_mesh, const Array &p_arrays, const Eigen::Affine3d &p_pose) {
-	const PackedVector3Array places = p_arrays[Mesh::ARRAY_VERTEX];
-	const PackedColorArray colors = p_arrays[Mesh::ARRAY_COLOR];
-	const PackedInt32Array indices = p_arrays[Mesh::ARRAY_INDEX];
-	const int64_t count = indices.is_empty() ? places.size() : indices.size();
-	const auto corner = [&](int64_t p_n) {
-		const int64_t i = indices.is_empty() ? p_n : int64_t(indices[p_n]);
-		return FillMesh::Corner{ p_pose * to_eigen(places[i]), i < colors.size() ? std::clamp(double(colors[i].r), 0.0, 1.0) : 1.0 };
-	};
-	for (int64_t n = 0; n + 2 < count; n += 3) {
-		r_mesh.add(corner(n), corner(n + 1), corner(n + 2));
-	}
+} // namespace
+
+bool FillGatherer::Source::is_same(const Source &p_other) const {
+	return pose == p_other.pose && numbers == p_other.numbers && kind == p_other.kind && is_same_data(data, p_other.data);
 }
 
-} // namespace
+bool FillGatherer::read_meshes(const GrassFillRule &p_rule, const Node3D *p_node, const Transform3D &p_field) {
+	_field = p_node;
+	_field_from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+	MaskMesh::Parts parts;
+	for (const Node3D *node : find_nodes(p_rule.get_group(GrassFillRule::GROUP_MASK))) {
+		const MeshInstance3D *instance = Object::cast_to<MeshInstance3D>(node);
+		if (instance != nullptr && instance->get_mesh().is_valid()) {
+			parts.push_back({ instance->get_mesh(), pose_of(instance) });
+		}
+	}
+	_field = nullptr;
+	return _mask.read(*p_node, std::move(parts));
+}
 
 FillSources FillGatherer::gather(const GrassFillRule &p_rule, const Node3D *p_node, const Transform3D &p_field) {
 	_field = p_node;
@@ -109,9 +110,8 @@ FillSources FillGatherer::gather(const GrassFillRule &p_rule, const Node3D *p_no
 	add_paths();
 	add_distances(p_rule);
 	std::erase_if(_entries, [](const auto &p_entry) { return !p_entry.second.is_seen; });
-	const StringName mesh_group = p_rule.get_group(GrassFillRule::GROUP_MASK);
-	_sources.has_mesh = !String(mesh_group).is_empty();
-	_sources.mesh = _sources.has_mesh ? find_mesh(mesh_group) : nullptr;
+	_sources.has_mesh = !String(p_rule.get_group(GrassFillRule::GROUP_MASK)).is_empty();
+	_sources.mesh = _sources.has_mesh ? _mask.get() : nullptr;
 	_field = nullptr;
 	return std::move(_sources);
 }
@@ -145,9 +145,7 @@ template <typename F> void FillGatherer::add(const Node3D *p_node, const Source 
 	if (entry.is_seen) {
 		return; // in the group itself, and also below a node in the group
 	}
-	const bool is_same = entry.source.pose == p_source.pose && entry.source.numbers == p_source.numbers &&
-			is_same_data(entry.source.data, p_source.data);
-	if (!is_same || !entry.obstacle) {
+	if (!entry.source.is_same(p_source) || !entry.obstacle) {
 		FillObstacle made = p_make();
 		made.set_clearance(p_source.numbers[0], p_source.numbers[1]);
 		entry.source = p_source;
@@ -159,8 +157,10 @@ template <typename F> void FillGatherer::add(const Node3D *p_node, const Source 
 
 void FillGatherer::add_shape(const Node3D *p_node, const Ref<Shape3D> &p_shape, double p_fade, double p_height) {
 	const Eigen::Affine3d pose = pose_of(p_node);
-	const Variant data = PhysicsServer3D::get_singleton()->shape_get_data(p_shape->get_rid());
-	add(p_node, { pose.matrix(), data, { 0.0, p_fade, p_height } }, [&] { return obstacle_of(p_shape, pose, p_height); });
+	const PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const Variant data = server->shape_get_data(p_shape->get_rid());
+	const int64_t kind = server->shape_get_type(p_shape->get_rid());
+	add(p_node, { pose.matrix(), data, { 0.0, p_fade, p_height }, kind }, [&] { return obstacle_of(p_shape, pose, p_height); });
 }
 
 void FillGatherer::add_shapes(const GrassFillRule &p_rule, const Node *p_node) {
@@ -214,30 +214,6 @@ void FillGatherer::add_paths() {
 			return line;
 		});
 	}
-}
-
-std::shared_ptr<const FillMesh> FillGatherer::find_mesh(const StringName &p_group) {
-	std::vector<std::pair<Ref<Mesh>, Eigen::Affine3d>> meshes;
-	std::vector<std::pair<uint64_t, Eigen::Matrix4d>> mesh_of;
-	for (const Node3D *node : find_nodes(p_group)) {
-		const MeshInstance3D *instance = Object::cast_to<MeshInstance3D>(node);
-		if (instance != nullptr && instance->get_mesh().is_valid()) {
-			meshes.emplace_back(instance->get_mesh(), pose_of(instance));
-			mesh_of.emplace_back(instance->get_mesh()->get_instance_id(), meshes.back().second.matrix());
-		}
-	}
-	if (_mesh && mesh_of == _mesh_of) {
-		return _mesh;
-	}
-	FillMesh made;
-	for (const auto &[mesh, pose] : meshes) {
-		for (int32_t surface = 0; surface < mesh->get_surface_count(); surface++) {
-			add_triangles(made, mesh->surface_get_arrays(surface), pose);
-		}
-	}
-	_mesh_of = std::move(mesh_of);
-	_mesh = std::make_shared<const FillMesh>(std::move(made));
-	return _mesh;
 }
 
 } // namespace grass

@@ -174,7 +174,7 @@ void GrassField::_fill_rule_changed() {
 }
 
 FieldFiller::Place GrassField::fill_place() const {
-	return { const_cast<GrassField *>(this), field_transform(), MapRegion::of_grid(_properties.grid()),
+	return { field_transform(), MapRegion::of_grid(_properties.grid()),
 		Eigen::Vector2d(_properties.noise_origin.x, _properties.noise_origin.y) };
 }
 

@@ -6,6 +6,7 @@
 #include "shared/main_thread.h"
 
 #include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -191,10 +192,11 @@ GrassField *GrassField::find_other(const Vector3 &p_global_position) const {
 Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
-	if (!stand() || !is_inside_tree()) {
+	const uint64_t given = p_camera != nullptr ? p_camera->get_instance_id() : 0; // a script may free it meanwhile
+	if (!stand() || !is_inside_tree() || !_filler.read_meshes(fill_place()) || !is_inside_tree()) {
 		return Dictionary();
 	}
-	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
+	const Camera3D *camera = given != 0 ? Object::cast_to<Camera3D>(ObjectDB::get_instance(given)) : get_viewport()->get_camera_3d();
 	return to_dictionary(
 			explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera, find_other(p_global_position)));
 }

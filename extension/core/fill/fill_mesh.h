@@ -11,10 +11,13 @@ public:
 	struct Corner {
 		Eigen::Vector3d at; // metres: x, z from the field's centre, y above the field
 		double share; // 0: nothing grows .. 1: everything
+
+		bool operator==(const Corner &) const = default;
 	};
 	static constexpr double MAX_POSITION = 1e6; // metres; triangles that reach farther are left out
 
 	void add(const Corner &p_a, const Corner &p_b, const Corner &p_c);
+	bool operator==(const FillMesh &p_other) const { return _triangles == p_other._triangles; }
 	int64_t get_triangle_count() const { return int64_t(_triangles.size()); }
 
 	// Returns for each texel of density of a chunk, row by row, the share of the highest triangle above or below the texel's centre,

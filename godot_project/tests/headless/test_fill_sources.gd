@@ -167,3 +167,63 @@ func test_the_red_of_a_mesh_says_where_grass_grows() -> void:
 	await _follow()
 	assert_eq(_density(field, 105, 5), 1.0)
 	assert_eq(_density(field, 115, 0), 0.0)
+
+
+## A mesh that tells of its changes is read again by itself, and every mesh once the rule says that it has changed.
+func test_a_mask_mesh_that_changes_itself_is_read_again() -> void:
+	var plane := PlaneMesh.new()
+	plane.size = Vector2(20, 20)
+	var ground := MeshInstance3D.new()
+	ground.mesh = plane
+	ground.add_to_group(&"meadow")
+	add_child(ground)
+	var rule := _rule({mask_group = &"meadow"})
+	var field := await _add_filled(rule)
+	assert_eq([_density(field, 5, 0), _density(field, 35, 0)], [1.0, 0.0])
+	plane.size = Vector2(80, 80)
+	await _follow()
+	assert_eq(_density(field, 35, 0), 1.0)
+	var cells: int = field.get_counters().fill_cells
+	plane.emit_changed()
+	rule.emit_changed()
+	await _follow()
+	assert_eq(field.get_counters().fill_cells, cells, "nothing is filled again for a mesh that is the same")
+	var quad := _colored_quad(Color.RED, Color.RED, 20.0)
+	ground.mesh = quad
+	await _follow()
+	assert_eq([_density(field, 5, 0), _density(field, 35, 0)], [1.0, 0.0])
+	plane.size = Vector2(90, 90)
+	await _follow()
+	assert_eq(_density(field, 35, 0), 0.0, "it is no longer in the group")
+	var arrays := quad.surface_get_arrays(0)
+	quad.clear_surfaces()
+	for i: int in arrays[Mesh.ARRAY_VERTEX].size():
+		arrays[Mesh.ARRAY_VERTEX][i] *= 4.0
+	quad.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	await _follow()
+	rule.emit_changed()
+	await _follow()
+	assert_eq(_density(field, 35, 0), 1.0)
+	field.fill_rule = null
+	await frames(2)
+	assert_eq(plane.changed.get_connections().size() + quad.changed.get_connections().size(), 1, "only of the MeshInstance3D")
+
+
+## A shape of another kind may have the same numbers.
+func test_an_exclusion_whose_shape_becomes_another_kind() -> void:
+	var capsule := CapsuleShape3D.new()
+	capsule.radius = 4.0
+	capsule.height = 20.0
+	var cylinder := CylinderShape3D.new()
+	cylinder.radius = 4.0
+	cylinder.height = 20.0
+	var exclusion := _add_exclusion(capsule, Vector3(0, 0, 0))
+	exclusion.rotation.z = PI / 2
+	var field := await _add_filled(_rule())
+	assert_eq([_density(field, 0, 3), _density(field, 9.5, 3.5)], [0.0, 1.0], "its end is round")
+	exclusion.shape = cylinder
+	await frames(2)
+	assert_eq([_density(field, 0, 3), _density(field, 9.5, 3.5)], [0.0, 0.0])
+	exclusion.shape = capsule
+	await frames(2)
+	assert_eq([_density(field, 0, 3), _density(field, 9.5, 3.5)], [0.0, 1.0])

@@ -16,6 +16,29 @@ class PlantMesh:
 		return arrays
 
 
+class MaskMesh:
+	extends Mesh
+
+	var told := func(_method: String) -> void: pass  # until a field reads it
+
+	func _get_surface_count() -> int:
+		told.call("_get_surface_count")
+		return 1
+
+	func _surface_get_arrays(_surface: int) -> Array:
+		told.call("_surface_get_arrays")
+		var arrays := []
+		arrays.resize(ARRAY_MAX)
+		arrays[ARRAY_VERTEX] = PackedVector3Array([Vector3(-9, 0, -9), Vector3(9, 0, 0), Vector3(0, 0, 9)])
+		return arrays
+
+	func _get_blend_shape_count() -> int:
+		return 0
+
+	func _get_aabb() -> AABB:
+		return AABB(Vector3.ZERO, Vector3.ONE)
+
+
 func add_bodies() -> Array[AnimatableBody3D]:
 	var bodies: Array[AnimatableBody3D] = []
 	for i in 4:
@@ -188,6 +211,38 @@ func test_a_rule_fills() -> void:
 			field.fill_rule = rule,
 		"property_list_changed"
 	)
+
+
+func test_meshes_of_a_rule_are_scripts() -> void:
+	allow_error(EMITTING)
+	var rule := GrassFillRule.new()
+	rule.mask_group = "mask"
+	for method: String in ["_get_surface_count", "_surface_get_arrays"]:
+		for occasion: String in ["a rule that looks", "a field that is made", "fill()", "explain()"]:
+			await try_deeds(
+				func() -> void:
+					var field := add_level({map = full_map(), fill_rule = null if occasion == "fill()" else rule})
+					await ticks(2)
+					await frames(2)
+					if occasion == "a field that is made":
+						level.remove_child(field)
+						field.map = full_map()
+					var masked := MeshInstance3D.new()
+					masked.mesh = MaskMesh.new()
+					(masked.mesh as MaskMesh).told = hear_of.bind(method)
+					masked.add_to_group("mask")
+					level.ground.add_child(masked)
+					match occasion:
+						"a field that is made":
+							level.add_child(field)
+							field.get_density_at(Vector3.ZERO)
+						"fill()":
+							field.fill(rule)
+						"explain()":
+							field.explain(Vector3.ZERO)
+					await until_heard(),
+				"%s for %s" % [method, occasion]
+			)
 
 
 func test_species_are_scripts() -> void:
