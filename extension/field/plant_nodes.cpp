@@ -23,6 +23,12 @@ Node3D *node_with(uint64_t p_id) {
 	return p_id == 0 ? nullptr : Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
 }
 
+// Null if the game has put the node elsewhere meanwhile: it is the game's then.
+Node3D *unowned_with(uint64_t p_id) {
+	Node3D *node = node_with(p_id);
+	return node != nullptr && node->get_parent() == nullptr ? node : nullptr;
+}
+
 // As its mesh is drawn, but upright.
 Transform3D transform_of(const StandingScene &p_plant, float p_scale) {
 	const real_t x = std::cos(p_plant.angle) * p_scale, z = std::sin(p_plant.angle) * p_scale;
@@ -33,10 +39,11 @@ Transform3D transform_of(const StandingScene &p_plant, float p_scale) {
 
 PlantNodes::~PlantNodes() {
 	for (const auto &[scene, id] : _stored) {
-		if (Node3D *node = node_with(id)) {
+		if (Node3D *node = unowned_with(id)) {
 			memdelete(node);
 		}
 	}
+	free_strayed_holder();
 }
 
 PlantNodes::Scenes PlantNodes::find_scenes(const StandingField &p_standing) const {
@@ -133,7 +140,7 @@ bool PlantNodes::follow_scale() {
 	if (!global.is_finite() || global.basis.determinant() == 0.0) {
 		return false;
 	}
-	Node3D *holder = node_with(_holder);
+	Node3D *holder = find_holder();
 	const bool is_scaled = global.basis.determinant() < 0.0 || !global.basis.get_scale().is_equal_approx(Vector3(1, 1, 1));
 	const Transform3D wanted = is_scaled ? global.affine_inverse() * _host.field_transform() : Transform3D();
 	if (holder != nullptr && holder->get_transform() != wanted) {
@@ -142,9 +149,23 @@ bool PlantNodes::follow_scale() {
 	return true;
 }
 
+// Returns null if there is none, or not here any more: replace_by() gives all children of a node to another one.
+Node3D *PlantNodes::find_holder() const {
+	Node3D *holder = node_with(_holder);
+	return holder != nullptr && holder->get_parent() == &_node ? holder : nullptr;
+}
+
+// Frees the one that replace_by() has given away, with what it still holds of a field that is freed.
+void PlantNodes::free_strayed_holder() {
+	Node3D *holder = node_with(_holder);
+	if (holder != nullptr && (!_left.empty() || holder->get_child_count() == 0)) {
+		holder->queue_free();
+	}
+}
+
 // Returns null if a script removed it at once. The caller must know whether the field is still there.
 Node3D *PlantNodes::need_holder() {
-	if (Node3D *holder = node_with(_holder)) {
+	if (Node3D *holder = find_holder()) {
 		return holder;
 	}
 	Node3D *made = memnew(Node3D);
@@ -156,7 +177,7 @@ Node3D *PlantNodes::need_holder() {
 		return nullptr;
 	}
 	follow_scale();
-	return node_with(id);
+	return find_holder();
 }
 
 // Returns false if a script freed the field.
@@ -185,9 +206,9 @@ bool PlantNodes::make(const Scene &p_scene, int p_species, Node3D *&r_node) {
 Node3D *PlantNodes::take(const Scene &p_scene) {
 	for (size_t i = _stored.size(); i-- > 0;) {
 		if (_stored[i].first == p_scene) {
-			Node3D *node = node_with(_stored[i].second);
+			Node3D *node = unowned_with(_stored[i].second);
 			_stored.erase(_stored.begin() + std::ptrdiff_t(i));
-			if (node != nullptr && node->get_parent() == nullptr) {
+			if (node != nullptr) {
 				return node;
 			}
 		}
@@ -235,12 +256,13 @@ bool PlantNodes::hide(BladeNumber p_blade) {
 		return true;
 	}
 	const Shown &shown = left.mapped();
-	return outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); }) && store(shown);
+	return outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); }) &&
+			store(shown, find_holder());
 }
 
 // A node that the game has put elsewhere is the game's.
-bool PlantNodes::store(const Shown &p_shown) {
-	Node3D *node = node_with(p_shown.node), *holder = node_with(_holder);
+bool PlantNodes::store(const Shown &p_shown, Node3D *p_holder) {
+	Node3D *node = node_with(p_shown.node), *holder = p_holder;
 	if (node == nullptr || holder == nullptr || node->get_parent() != holder) {
 		return true;
 	}
@@ -273,14 +295,20 @@ bool PlantNodes::leave() {
 
 bool PlantNodes::put_away() {
 	const std::vector<Shown> left = std::exchange(_left, {});
-	return std::ranges::all_of(left, [this](const Shown &p_shown) { return store(p_shown); });
+	if (!std::ranges::all_of(left, [this](const Shown &p_shown) { return store(p_shown, node_with(_holder)); })) {
+		return false;
+	}
+	if (find_holder() == nullptr) {
+		free_strayed_holder();
+	}
+	return true;
 }
 
 // Frees what waits for a scene that no species has any more.
 void PlantNodes::drop_unused(const Scenes &p_scenes) {
 	const auto is_unused = [&](const Scene &p_scene) { return std::ranges::find(p_scenes, p_scene) == p_scenes.end(); };
 	for (const auto &[scene, id] : _stored) {
-		Node3D *node = is_unused(scene) ? node_with(id) : nullptr;
+		Node3D *node = is_unused(scene) ? unowned_with(id) : nullptr;
 		if (node != nullptr) {
 			node->queue_free();
 		}

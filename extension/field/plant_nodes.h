@@ -54,10 +54,12 @@ private:
 	std::span<const StandingScene> choose(
 			StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker, const Scenes &p_scenes);
 	bool follow_scale();
+	godot::Node3D *find_holder() const;
 	godot::Node3D *need_holder();
+	void free_strayed_holder();
 	bool show(const StandingScene &p_plant, const Scene &p_scene, float p_scale);
 	bool hide(BladeNumber p_blade);
-	bool store(const Shown &p_shown);
+	bool store(const Shown &p_shown, godot::Node3D *p_holder);
 	godot::Node3D *take(const Scene &p_scene);
 	bool make(const Scene &p_scene, int p_species, godot::Node3D *&r_node);
 	void drop_unused(const Scenes &p_scenes);

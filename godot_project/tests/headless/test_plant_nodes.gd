@@ -469,3 +469,76 @@ func test_baked_ground_does_not_rise_onto_plants() -> void:
 	await settled(field)
 	for blade: int in nodes:
 		assert_near(root_of(field, blade).y, 0.0, 0.02)
+
+
+## A node that the game adds to a tree of its own after plant_node_leaving is the game's, however the field ends.
+func test_nodes_that_the_game_adopts_stay() -> void:
+	for end: String in ["free the field", "another scene"]:
+		var species := shrub(shrub_scene())
+		var field := add_shrubs({}, species)
+		var own := Node3D.new()
+		add_child(own)
+		await settled(field)
+		var kept: Array[Node3D] = []
+		field.plant_node_leaving.connect(
+			func(node: Node3D, _species: int, _blade: int) -> void:
+				if kept.size() < 10:
+					kept.append(node)
+					own.add_child.call_deferred(node)
+		)
+		field.plant_nodes_max = nodes.size() - 10
+		await ticks(5)
+		assert_eq([kept.size(), own.get_child_count()], [10, 10])
+		if end == "free the field":
+			field.free()
+		else:
+			species.plant_scene = null
+		await ticks(5)
+		assert_eq(own.get_child_count(), 10, end)
+		for node in kept:
+			assert_true(is_instance_valid(node) and node.get_parent() == own, end)
+		if is_instance_valid(field):
+			field.free()
+		own.free()
+		nodes.clear()
+
+
+## replace_by() gives the children of a field to another node, those inside of it as well.
+func test_a_field_that_is_replaced_takes_its_nodes_along() -> void:
+	var before := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
+	var field := add_shrubs({size = Vector2(10, 10)})
+	await settled(field)
+	var count := nodes.size()
+	assert_greater(count, 20)
+	var other := Node3D.new()
+	field.replace_by(other)
+	await ticks(3)
+	assert_eq(nodes.size(), 0, "all have left")
+	assert_eq(other.get_child_count(true), 0, "and nothing is left behind")
+	add_child(field)
+	await settled(field)
+	assert_eq(nodes.size(), count, "in the tree again it has its nodes again")
+	assert_eq(field.get_child(0, true).get_child_count(), count)
+	field.free()
+	other.free()
+	await ticks(3)
+	assert_eq(Performance.get_monitor(Performance.OBJECT_NODE_COUNT), before)
+	assert_eq(Performance.get_monitor(Performance.OBJECT_ORPHAN_NODE_COUNT), 0.0)
+
+
+## A script that takes the inner node away has it with the nodes in it; the field makes another one.
+func test_a_script_takes_the_inner_node_away() -> void:
+	var field := add_shrubs({size = Vector2(10, 10)})
+	await settled(field)
+	var count := nodes.size()
+	var taken := field.get_child(0, true)
+	taken.reparent(self)
+	field.plant_nodes_max = 0
+	await settled(field)
+	assert_eq(taken.get_child_count(), count, "its nodes are no longer the field's")
+	field.plant_nodes_max = 1024
+	await settled(field)
+	assert_eq(nodes.size(), count)
+	assert_eq(field.get_child(0, true).get_child_count(), count)
+	field.free()
+	assert_eq(taken.get_child_count(), count)
