@@ -20,6 +20,10 @@ namespace grass {
 void GrassField::set_size(const Vector2 &p_size) {
 	GRASS_MAIN_THREAD_ONLY();
 	const Vector2 size(real_t(checked(FIELD_SIZE, p_size.x, label())), real_t(checked(FIELD_SIZE, p_size.y, label())));
+	if (_properties.is_streamed && size != _properties.size) { // files and neighbours depend on it
+		warn("`size` of a plot's field follows `plot_size` of its GrassWorld, and stays. Change it there.");
+		return;
+	}
 	if (replace(_properties.size, size)) {
 		request_rebuild();
 	}

@@ -14,6 +14,13 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+// Metres from the origin to which shift_origin() may move the world. More: two neighbouring numbers are more than a metre apart.
+constexpr double FARTHEST = 1e7;
+
+} // namespace
+
 // Places are global, and outside of the tree nothing is.
 bool GrassWorld::is_here(const char *p_method) const {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, vformat("%s: %s() needs the world in the tree. Add it first.", label(), p_method));
@@ -95,10 +102,16 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 void GrassWorld::shift_origin(const Vector3 &p_offset) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(!p_offset.is_finite(), vformat("%s: shift_origin() needs a finite offset.", label()));
+	const Vector3 from = is_inside_tree() ? get_global_position() : get_position(), to = from + p_offset;
+	ERR_FAIL_COND_MSG(!(double(to.length()) <= FARTHEST) && !(to.length() < from.length()),
+			vformat("%s: shift_origin() would put the world %.0f km from the origin, where there is no room between two numbers for a "
+					"blade. "
+					"Pass the way by which the origin moves, so that the player is near it again.",
+					label(), double(to.length()) * 1e-3));
 	if (is_inside_tree()) {
-		set_global_position(get_global_position() + p_offset);
+		set_global_position(to);
 	} else { // as it will be, below a node that is not turned
-		set_position(get_position() + p_offset);
+		set_position(to);
 	}
 }
 

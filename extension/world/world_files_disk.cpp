@@ -2,6 +2,7 @@
 // The files of plots: how they are found, read and written.
 #include "world/world_files.h"
 
+#include "core/world/plot_map.h"
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
@@ -49,8 +50,15 @@ PackedStringArray WorldFiles::find_plots(const String &p_folder) {
 	return plots;
 }
 
+// What lies outside of the plot is not its own, and a file that holds it would be refused.
 void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
-	const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
+	PaintMap map = p_map;
+	if (const int64_t count = crop(map, limits()); count > 0) {
+		ERR_PRINT(vformat("%s: the map of plot (%d, %d) has %d chunks outside of the plot, which are not saved. Paint each plot within its "
+						  "borders: GrassWorld.paint() and cut() do.",
+				_folders.label, p_key.x, p_key.z, count));
+	}
+	const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(map, engine_codec())));
 	if (_folders.keeps) {
 		keep(_folders.place, p_key, data);
 	} else {

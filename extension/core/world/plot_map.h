@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/map/paint_map.h"
+#include "core/map/read_limits.h"
 
 namespace grass {
 
@@ -17,6 +18,22 @@ inline PaintMap kept_of(PaintMap p_map, bool p_has_terrain) {
 		p_map.drop_empty();
 	}
 	return p_map;
+}
+
+// Removes the chunks that a plot's file may not hold: of a field that a script made larger. Returns how many there were.
+inline int64_t crop(PaintMap &r_map, const ReadLimits &p_limits) {
+	int64_t count = 0;
+	for (const MapKey &key : r_map.get_keys()) {
+		if (p_limits.allow(key)) {
+			continue;
+		}
+		for (size_t channel = 0; channel < MAP_CHANNELS; channel++) {
+			r_map.set_texels(key, MapChannel(channel), nullptr);
+		}
+		count++;
+	}
+	r_map.drop_empty();
+	return count;
 }
 
 inline bool is_same(const PaintMap &p_one, const PaintMap &p_other) {

@@ -14,6 +14,23 @@ func painted_map(strokes := 6) -> GrassMap:
 	return map
 
 
+## Blades have no room where two neighbouring numbers are metres apart.
+func test_the_origin_is_not_shifted_out_of_reach() -> void:
+	var world := add_world()
+	await go(world, Vector3(64, 0, 64))
+	for offset: Vector3 in [Vector3(1e30, 0, 0), Vector3(0, 0, -3e38), Vector3(2e7, 0, 0)]:
+		expect_error("shift_origin() would put the world")
+		world.shift_origin(offset)
+		assert_eq(world.position, Vector3.ZERO)
+	world.shift_origin(Vector3(9e6, 0, 0))
+	assert_eq(world.position, Vector3(9e6, 0, 0))
+	world.shift_origin(Vector3(-9e6, 0, 0))
+	assert_eq(world.position, Vector3.ZERO)
+	world.position.x = 5e7  # by hand
+	world.shift_origin(Vector3(-1e7, 0, 0))
+	assert_eq(world.position, Vector3(4e7, 0, 0), "nearer is never too far")
+
+
 func test_plots_come_and_go() -> void:
 	var map := painted_map()
 	store(Vector2i(3, 0), map)

@@ -46,6 +46,26 @@ func store_slot(folder: String) -> void:
 	assert_eq(ResourceSaver.save(map, folder.path_join("plot_0_0.grassmap")), OK)
 
 
+## The field of a plot keeps its size, and what a script paints outside of the plot is not written: the world would refuse the file.
+func test_a_plot_is_written_as_it_may_be_read() -> void:
+	var world := add_world({camera_radius = 100.0})
+	await go(world, Vector3(64, 0, 64))
+	var field := world.get_field(Vector2i(0, 0))
+	expect_error("`size` of a plot's field follows `plot_size`")
+	field.size = Vector2(900, 900)
+	assert_eq(field.size, Vector2(PLOT, PLOT))
+	expect_error("the map of plot (0, 0) has 1 chunks outside of the plot")
+	for place: Vector2 in [Vector2.ZERO, Vector2(-420, 60)]:
+		field.map.stroke(brush(GrassBrush.TOOL_ERASE, 3.0), place, place)
+	await go(world, Vector3(3064, 0, 64))
+	world.wait_for_files()
+	await go(world, Vector3(64, 0, 64))
+	assert_eq(world.get_statistics().files_refused, 0)
+	field = world.get_field(Vector2i(0, 0))
+	assert_eq(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2.ZERO), 0.0)
+	assert_eq(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-420, 60)), 1.0)
+
+
 func test_an_unsaved_game_is_not_shown_in_another_slot_nor_written_there() -> void:
 	store_slot(SLOT_2)
 	expect_error("`folder` and `save_folder` are empty")
