@@ -72,6 +72,8 @@ public:
 	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
 	std::optional<MapPlace> find_map_place() const { return grass::find_map_place(_properties); }
 	bool is_made() const { return _life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
+	// For a world: makes the field as its own frames do, whether it processes or not. Scripts run: afterwards it may be gone.
+	void come() { (void)advance(); }
 	double get_build_ms() const { return _life.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
 	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree

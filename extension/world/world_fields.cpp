@@ -18,7 +18,7 @@ constexpr real_t AWAY = -1e5f; // metres: below everything, so that no body meet
 } // namespace
 
 GrassField *field_with(uint64_t p_id) {
-	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
+	return p_id != 0 ? Object::cast_to<GrassField>(ObjectDB::get_instance(p_id)) : nullptr;
 }
 
 GrassField *WorldFields::make() {
@@ -64,14 +64,12 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 	_side = p_side;
 	_label = p_label;
 	_made = 0;
-	forget_first();
+	_firsts = 0;
 	_place.reset();
-	GrassField *first = make();
+	const GrassField *first = make_first();
 	if (first == nullptr) {
 		return;
 	}
-	forget_first(); // a script of the scene may have restarted the world
-	_first = first;
 	_pattern = {};
 	_pattern.has_terrain = !first->get_terrain().is_empty();
 	_pattern.pool_tiles = first->get_pool_tiles();
@@ -84,21 +82,45 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 	}
 }
 
-void WorldFields::forget_first() {
-	if (_first != nullptr) {
-		memdelete(_first);
+GrassField *WorldFields::make_first() {
+	forget_first();
+	GrassField *first = make();
+	if (first == nullptr) {
+		return nullptr;
 	}
-	_first = nullptr;
+	forget_first(); // a script of the scene may have restarted the world
+	_first = first->get_instance_id();
+	_firsts++;
+	return first;
 }
 
-const std::optional<MapPlace> &WorldFields::find_place() {
-	if (!_place && _first != nullptr) {
-		_place = _first->find_map_place();
-		if (_place) {
-			forget_first();
-		}
+void WorldFields::forget_first() {
+	if (GrassField *first = field_with(_first)) {
+		memdelete(first);
 	}
-	return _place;
+	_first = 0;
+}
+
+void WorldFields::find_place() {
+	if (_place || _first == 0) {
+		return;
+	}
+	const GrassField *first = field_with(_first);
+	if (first == nullptr && _firsts == MOST_FIRST) {
+		_first = 0;
+		WARN_PRINT(
+				vformat("%s: `plot_scene`: a script frees the fields of the scene as soon as they are made, so there is no grass. Remove "
+						"the call of free() or queue_free().",
+						_label));
+		return;
+	}
+	if (first == nullptr && (first = make_first()) == nullptr) {
+		return;
+	}
+	_place = first->find_map_place();
+	if (_place) {
+		forget_first();
+	}
 }
 
 void WorldFields::stop() {
@@ -108,12 +130,15 @@ void WorldFields::stop() {
 	}
 }
 
-void WorldFields::forget_freed() {
-	std::erase_if(_spare, [](uint64_t p_id) { return field_with(p_id) == nullptr; });
+void WorldFields::forget_lost() {
+	std::erase_if(_spare, [](uint64_t p_id) {
+		const GrassField *field = field_with(p_id);
+		return field == nullptr || !field->is_inside_tree();
+	});
 }
 
 GrassField *WorldFields::take() {
-	forget_freed();
+	forget_lost();
 	if (!_spare.empty()) {
 		GrassField *field = field_with(_spare.back());
 		_spare.pop_back();
@@ -139,6 +164,9 @@ GrassField *WorldFields::take() {
 }
 
 void WorldFields::give_back(GrassField *p_field, bool p_keeps) {
+	if (!p_field->is_inside_tree()) {
+		return;
+	}
 	if (p_keeps && _spare.size() < MOST_SPARE) {
 		_spare.push_back(p_field->get_instance_id());
 		p_field->set_position(Vector3(0, AWAY, 0));

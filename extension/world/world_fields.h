@@ -42,23 +42,31 @@ public:
 	void stop();
 
 	const Pattern &get_pattern() const { return _pattern; }
-	// For what plots' maps are prepared; nothing until it is known.
-	const std::optional<MapPlace> &find_place();
+	// For what plots' maps are prepared; nothing until it is known. Scripts of the scene may run: afterwards this object may be gone, with
+	// the world.
+	const std::optional<MapPlace> &get_place() const { return _place; }
+	void find_place();
 	bool has_wrong_scene() const { return _has_wrong_scene; }
 	size_t count_spare() const { return _spare.size(); }
-	void forget_freed(); // forgets those that a script freed
-	// Returns a waiting field, or a new one; it is a hidden child of the world. Returns null if a script of the scene freed it or removed
-	// it from the tree; afterwards this object may be gone, with the world.
+	const std::vector<uint64_t> &get_spare() const { return _spare; } // instance ids
+	void forget_lost(); // forgets those that a script freed, or removed from the tree
+	// Returns a waiting field, or a new one; it is hidden, and in the tree. Returns null if a script of the scene freed it or removed it
+	// from the tree; afterwards this object may be gone, with the world.
 	GrassField *take();
 	const godot::Node3D &get_world() const { return _world; }
-	// Takes back the field of a plot that has left. p_keeps: it may wait for the next plot.
+	// Takes back the field of a plot that has left. p_keeps: it may wait for the next plot. One that a script has removed from the tree is
+	// the game's.
 	void give_back(GrassField *p_field, bool p_keeps);
 	void free_spare(); // one of them
 	int64_t get_made() const { return _made; } // since start()
 
 private:
+	// The most fields from which the place is asked, one after the other, if scripts of the scene free them.
+	static constexpr int MOST_FIRST = 3;
+
 	GrassField *make(); // null: a script of the scene has freed the world
 	GrassField::WarningTeller make_teller() const;
+	GrassField *make_first();
 	void forget_first();
 
 	godot::Node3D &_world;
@@ -67,7 +75,8 @@ private:
 	godot::String _label;
 	std::shared_ptr<std::set<std::string>> _warned_of = std::make_shared<std::set<std::string>>(); // printed by any of the fields
 	Pattern _pattern;
-	GrassField *_first = nullptr; // outside of the tree, until the place is known
+	uint64_t _first = 0; // instance id of a field outside of the tree, until the place is known; 0: none
+	int _firsts = 0; // so far
 	std::optional<MapPlace> _place;
 	bool _has_wrong_scene = false;
 	std::vector<uint64_t> _spare; // instance ids

@@ -5,6 +5,7 @@
 
 #include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
+#include "shared/script_call.h"
 #include "world/world_fields.h"
 #include "world/world_files.h"
 
@@ -23,7 +24,7 @@ struct WorldSettings {
 
 struct WorldStatistics {
 	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; waiting ones are being read or made
-	int64_t memory = 0; // bytes
+	int64_t memory = 0; // bytes in use
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
 	double most_build_ms = 0.0; // longest time for one field in one frame
 	int64_t most_moves = 0; // most plots that were added or left in one frame
@@ -59,7 +60,13 @@ public:
 	WorldStatistics get_statistics() const;
 
 private:
-	enum class State { ASKED, READ, COMING, STANDING };
+	enum class State {
+		ASKED,
+		READ,
+		COMING, // its field is being made
+		STANDING,
+		EMPTY, // a script took its field away before that
+	};
 	struct Plot {
 		State state = State::ASKED;
 		int64_t ask = 0; // the request to answer
@@ -71,23 +78,32 @@ private:
 
 	GrassField *field_of(const Plot &p_plot) const;
 	void take_read();
+	// Runs a part of a frame in which scripts may run. Returns false if a script ended the world, freed it, or removed it from the tree;
+	// the frame ends then.
+	template <typename F> bool run(F &&p_step) { return outlives(_fields.get_world(), p_step) && _is_running; }
+	// world_plots_moves.cpp
+	void look_after_fields();
+	void make_empty(const PlotKey &p_key);
+	void tell_once(bool &r_has_told, const PlotKey &p_key, const char *p_text) const;
+	bool make_fields();
 	void show_coming();
-	template <typename F> bool run(F &&p_step);
 	void make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
 	void bring_one();
 	void bring(PlotKey p_key, int64_t p_pool);
 	void leave_one();
-	void leave(PlotKey p_key, const Plot &p_plot);
+	void leave(PlotKey p_key, uint64_t p_field);
+	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
+	bool is_coming() const;
 	void ask();
+	// world_plots_memory.cpp
 	void measure();
 	std::vector<LoadedPlot> find_loaded() const;
 	PlotPools find_pools() const;
 	void fit_pools();
 	int64_t pool_for(const PlotKey &p_key) const;
 	bool is_under_eyes(const PlotKey &p_key) const;
-	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
-	bool is_coming() const;
-	size_t count_bytes() const; // of fields and maps, including those that wait
+	size_t count_bytes() const; // that the budget pays for: of fields and maps, including those that wait, with pools full of awake tiles
+	size_t count_used() const; // of them, in use now
 	size_t count_shared() const;
 
 	WorldFields _fields;
@@ -99,6 +115,8 @@ private:
 	std::map<PlotKey, Plot> _plots;
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
+	godot::String _label; // of the world, for messages
+	bool _told_of_empty = false, _told_of_taken = false; // since it entered the tree
 	std::optional<int64_t> _pool_tile; // bytes for each tile of a pool; empty until a field runs
 	std::optional<int64_t> _least_pool; // bytes of the smallest pool that was measured
 	size_t _pool_wanted = 0; // bytes that wait for other plots to leave

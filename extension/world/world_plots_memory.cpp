@@ -98,7 +98,7 @@ void WorldPlots::fit_pools() {
 	const PlotPools pools = find_pools();
 	for (auto &[key, plot] : _plots) {
 		GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
-		if (field == nullptr) {
+		if (field == nullptr || !field->is_inside_tree()) {
 			continue;
 		}
 		if (!field->is_made()) {
@@ -144,6 +144,29 @@ size_t WorldPlots::count_bytes() const {
 		} else if (plot.prepared) {
 			bytes += plot.prepared->get_layers().get_memory_usage();
 		}
+	}
+	return bytes;
+}
+
+size_t WorldPlots::count_used() const {
+	size_t bytes = 0;
+	std::map<const void *, size_t> patches;
+	const auto add = [&](const GrassField *p_field) {
+		if (p_field != nullptr) {
+			const FieldMemory memory = p_field->find_memory();
+			bytes += size_t(std::max<int64_t>(memory.all - memory.shared, 0));
+			patches[memory.patch] = size_t(memory.shared);
+		}
+	};
+	for (const auto &[key, plot] : _plots) {
+		add(field_of(plot));
+		bytes += plot.prepared ? plot.prepared->get_layers().get_memory_usage() : 0;
+	}
+	for (const uint64_t id : _fields.get_spare()) {
+		add(field_with(id));
+	}
+	for (const auto &[patch, shared] : patches) {
+		bytes += shared;
 	}
 	return bytes;
 }
