@@ -143,6 +143,7 @@ void CpuBackend::draw(const FieldView &p_view) {
 		return;
 	}
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	_is_drawn = true;
 	update_pool_texture();
 	if (!_tiles_changed && _view == p_view) {
 		return; // the same view of the same tiles: the MultiMeshes are up to date
@@ -273,11 +274,15 @@ BackendStatistics CpuBackend::get_statistics() {
 
 // Nothing for unused tiles of the pool: memory is allocated with the tiles that wake.
 BackendMemory CpuBackend::get_memory() const {
+	constexpr int64_t ROW_BYTES = PoolTexels::ROW_TEXELS * 8;
+	const int64_t copies = !_is_drawn ? 0 : _texels.is_between() ? 4 : 2; // of a row: see PoolTexels, and the texture
 	BackendMemory memory;
+	memory.pool_tile = CpuPool::find_slot_bytes() + copies * ROW_BYTES;
 	memory.shared = int64_t(_setup.patch->texels.size()) * 4; // in main memory and as a texture
-	memory.pool = _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
-			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // visible rows are in a texture too
-	memory.all = memory.shared + memory.pool + mesh_bytes(_setup.card_size > 0.0f) + _plants.get_memory_usage() +
+	const int64_t pool = _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
+			int64_t(_pool_rows) * ROW_BYTES; // visible rows are in a texture too
+	memory.pool = std::min(pool, memory.pool_tile * _setup.pool_size); // the first rows are there however small it is
+	memory.all = memory.shared + pool + mesh_bytes(_setup.card_size > 0.0f) + _plants.get_memory_usage() +
 			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
 					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));
 	for (const FieldInstance &level : _levels) {

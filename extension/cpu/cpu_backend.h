@@ -64,6 +64,7 @@ private:
 	BackendStatistics _statistics;
 	FieldView _view; // for which the tiles in _levels were chosen
 	bool _tiles_changed = true; // since then
+	bool _is_drawn = false; // by a frame so far
 	std::unordered_map<int, int> _slot_of_tile; // of awake tiles; only looked up, so its order does not matter
 
 	std::shared_ptr<const TileCover> _cover; // null: no map

@@ -30,7 +30,7 @@ struct BackendMemory {
 	int64_t all = 0;
 	int64_t shared = 0; // of that, with other fields of the same patch
 	int64_t pool = 0; // of that, what the pool uses now
-	int64_t pool_tile = 0; // for each tile of a larger pool, used or not
+	int64_t pool_tile = 0; // what each tile of a larger pool takes: at once, or on the CPU once it is awake
 };
 
 class Backend : public Simulator {

@@ -295,6 +295,10 @@ void CpuPool::trim(int p_slots) {
 	}
 }
 
+int64_t CpuPool::find_slot_bytes() {
+	return int64_t(sizeof(TileState) + sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0]));
+}
+
 int64_t CpuPool::get_memory_usage() const {
 	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
 	return int64_t(used) * int64_t(sizeof(TileState)) +

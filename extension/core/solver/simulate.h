@@ -55,6 +55,7 @@ public:
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
 	int64_t get_simulated_knots() const { return _simulated_knots; } // likewise: the free ones of their chains
 	int64_t get_memory_usage() const; // bytes
+	static int64_t find_slot_bytes(); // of a slot that is used
 
 	// Replaces a blade's state, for tests: GRASS_KNOTS points each, the clamped ones ignored.
 	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);

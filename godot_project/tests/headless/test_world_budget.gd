@@ -23,6 +23,7 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 		bodies.append(add_held_body(ball(0.4), Vector3(10 + 11 * (i % 10), 0.3, 12 + 24 * (i / 10))))
 	var least := 100
 	var most := 0
+	var pool := 0
 	for i in 45:
 		for body in bodies:
 			body.position.x += 0.2
@@ -30,8 +31,12 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 		var now := world.get_statistics()
 		least = mini(least, now.plots)
 		most = maxi(most, now.memory)
+		for field in world.get_fields():
+			pool = maxi(pool, field.pool_tiles)
+			assert_less(field.get_memory_usage(), now.memory + 1, "the world counts what its fields take now")
 	assert_greater(least, 0, "grass stands under the camera and the bodies")
-	assert_greater(most, 1e6 * world.memory_budget, "the crowd was dearer than the budget")
+	assert_less(most, 1e6 * world.memory_budget, "the crowd gets as large a pool as the budget pays for")
+	assert_greater(pool, 32)
 	var field: GrassField = world.get_field(Vector2i(0, 0))
 	assert_true(field != null)
 	for body in bodies:
