@@ -168,7 +168,7 @@ void SoftBodies::collect(const FieldReach &p_reach, const MotionTick &p_tick, st
 		write(id, p_reach, p_tick, body, r_colliders);
 	}
 	_bodies.swap(still_near);
-	if (_shown.size() > SceneWatch::get_singleton()->get_soft_bodies().size()) {
+	if (_shown.size() > SceneWatch::get_singleton()->count_soft_bodies()) {
 		std::erase_if(_shown, [](const auto &p_entry) { return ObjectDB::get_instance(p_entry.first) == nullptr; });
 	}
 }

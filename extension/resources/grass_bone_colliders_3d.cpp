@@ -6,6 +6,7 @@
 #include "shared/params.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/object.hpp>
 
 #include <optional>
 
@@ -36,34 +37,39 @@ const Skeleton3D *GrassBoneColliders3D::find_skeleton() const {
 	return Object::cast_to<Skeleton3D>(_skeleton.is_empty() ? get_parent() : get_node_or_null(_skeleton));
 }
 
-// Finds the skeleton and its place in this tick, once for all fields.
-void GrassBoneColliders3D::see(int64_t &r_calls) {
+// Finds the skeleton and its place in this tick, once for all fields; null: none. Listeners of one field may free it before the next one
+// looks.
+const Skeleton3D *GrassBoneColliders3D::see(int64_t &r_calls) {
 	const uint64_t tick = Engine::get_singleton()->get_physics_frames();
-	if (_seen.tick == tick) {
-		return;
+	const bool is_new_tick = _seen.tick != tick, was_seen = _seen.skeleton != 0;
+	const Skeleton3D *skeleton = nullptr;
+	if (!is_new_tick) {
+		skeleton = was_seen ? Object::cast_to<Skeleton3D>(ObjectDB::get_instance(_seen.skeleton)) : nullptr;
+	} else if (_enabled) {
+		skeleton = find_skeleton();
+		r_calls += 2;
 	}
-	const bool was_seen = _seen.tick != NEVER && _seen.skeleton != nullptr;
 	_seen.tick = tick;
-	_seen.skeleton = _enabled ? find_skeleton() : nullptr;
-	r_calls += _enabled ? 2 : 0;
-	if (_seen.skeleton == nullptr) {
+	_seen.skeleton = skeleton != nullptr ? skeleton->get_instance_id() : 0;
+	if (skeleton == nullptr) {
 		_seen.box.setEmpty();
 		_seen.bones.clear();
-		return;
+	} else if (is_new_tick) {
+		const Transform3D to_world = skeleton->get_global_transform();
+		r_calls++;
+		_seen.way = was_seen ? (to_world.origin - _seen.to_world.origin).length() : 0.0;
+		_seen.to_world = to_world;
 	}
-	const Transform3D to_world = _seen.skeleton->get_global_transform();
-	r_calls++;
-	_seen.way = was_seen ? (to_world.origin - _seen.to_world.origin).length() : 0.0;
-	_seen.to_world = to_world;
+	return skeleton;
 }
 
 Eigen::AlignedBox3d GrassBoneColliders3D::find_bounds(int64_t &r_calls) {
-	see(r_calls);
-	if (_seen.skeleton == nullptr) {
+	const Skeleton3D *skeleton = see(r_calls);
+	if (skeleton == nullptr) {
 		return {};
 	}
 	if (_seen.bones_tick == NEVER || _seen.tick - _seen.bones_tick >= BONES_LOOK_EVERY) {
-		read_bones(r_calls);
+		read_bones(*skeleton, r_calls);
 	}
 	if (_seen.box.isEmpty()) {
 		return {};
@@ -75,9 +81,9 @@ Eigen::AlignedBox3d GrassBoneColliders3D::find_bounds(int64_t &r_calls) {
 }
 
 const std::vector<GrassBoneColliders3D::Bone> &GrassBoneColliders3D::find_bones(int64_t &r_calls) {
-	see(r_calls);
-	if (_seen.skeleton != nullptr && _seen.bones_tick != _seen.tick) {
-		read_bones(r_calls);
+	const Skeleton3D *skeleton = see(r_calls);
+	if (skeleton != nullptr && _seen.bones_tick != _seen.tick) {
+		read_bones(*skeleton, r_calls);
 	}
 	return _seen.bones;
 }
@@ -88,16 +94,15 @@ bool GrassBoneColliders3D::has_bone(const Skeleton3D &p_skeleton, int p_bone, in
 	return _bones.is_empty() || _bones.has(p_skeleton.get_bone_name(p_bone));
 }
 
-void GrassBoneColliders3D::read_bones(int64_t &r_calls) {
-	const Skeleton3D &skeleton = *_seen.skeleton;
-	const int count = skeleton.get_bone_count();
+void GrassBoneColliders3D::read_bones(const Skeleton3D &p_skeleton, int64_t &r_calls) {
+	const int count = p_skeleton.get_bone_count();
 	r_calls += 1 + count; // and the parent of each
 	std::vector<std::optional<Vector3>> places(size_t(count), std::nullopt); // in the skeleton
 	const auto place_of = [&](int p_bone) {
 		std::optional<Vector3> &place = places[size_t(p_bone)];
 		if (!place) {
 			r_calls++;
-			place = skeleton.get_bone_global_pose(p_bone).origin;
+			place = p_skeleton.get_bone_global_pose(p_bone).origin;
 		}
 		return *place;
 	};
@@ -105,8 +110,8 @@ void GrassBoneColliders3D::read_bones(int64_t &r_calls) {
 	_seen.bones_tick = _seen.tick;
 	_seen.box.setEmpty();
 	for (int i = 0; i < count; i++) {
-		const int parent = skeleton.get_bone_parent(i);
-		if (parent < 0 || !has_bone(skeleton, parent, r_calls)) {
+		const int parent = p_skeleton.get_bone_parent(i);
+		if (parent < 0 || !has_bone(p_skeleton, parent, r_calls)) {
 			continue;
 		}
 		const Vector3 local_from = place_of(parent), local_to = place_of(i);

@@ -67,8 +67,8 @@ protected:
 private:
 	godot::String label() const { return label_of(*this); } // for messages
 	const godot::Skeleton3D *find_skeleton() const;
-	void see(int64_t &r_calls);
-	void read_bones(int64_t &r_calls);
+	const godot::Skeleton3D *see(int64_t &r_calls);
+	void read_bones(const godot::Skeleton3D &p_skeleton, int64_t &r_calls);
 	bool has_bone(const godot::Skeleton3D &p_skeleton, int p_bone, int64_t &r_calls) const;
 	void forget() { _seen = Seen(); }
 
@@ -82,7 +82,7 @@ private:
 	// What is known about the skeleton, and from which tick of the engine.
 	struct Seen {
 		uint64_t tick = NEVER, bones_tick = NEVER;
-		const godot::Skeleton3D *skeleton = nullptr; // in that tick; null: none
+		uint64_t skeleton = 0; // instance id, in that tick; 0: none
 		godot::Transform3D to_world;
 		double way = 0.0; // distance that it moved since the tick before, metres
 		Eigen::AlignedBox3d box; // of the bones, in the skeleton

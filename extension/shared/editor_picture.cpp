@@ -58,7 +58,7 @@ Ref<ArrayMesh> EditorPicture::mesh_of(const PackedVector3Array &p_lines) {
 
 void PicturedNodes::show(
 		Node3D &p_node, const std::function<Ref<ArrayMesh>()> &p_make, const Color &p_color, EditorPicture &r_picture) const {
-	if (_nodes.contains(&p_node)) {
+	if (_nodes.contains(p_node.get_instance_id())) {
 		r_picture.show(p_node, p_make, p_color);
 	}
 }
@@ -72,11 +72,11 @@ void PicturedNodes::change(Node3D &p_node, const std::function<Ref<ArrayMesh>()>
 bool PicturedNodes::notify(Node3D &p_node, int p_what, EditorPicture &r_picture) {
 	switch (p_what) {
 		case Node3D::NOTIFICATION_ENTER_WORLD:
-			_nodes.insert(&p_node);
+			_nodes.insert(p_node.get_instance_id());
 			p_node.set_notify_transform(true);
 			return true;
 		case Node3D::NOTIFICATION_EXIT_WORLD:
-			_nodes.erase(&p_node);
+			_nodes.erase(p_node.get_instance_id());
 			_revision++;
 			r_picture.free();
 			break;

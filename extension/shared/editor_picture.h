@@ -5,11 +5,11 @@
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/standard_material3d.hpp>
+#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <set>
@@ -53,15 +53,14 @@ public:
 	// Returns them in the order of their creation.
 	template <typename T> std::vector<T *> get_all() const {
 		std::vector<T *> all;
-		for (godot::Node3D *node : _nodes) {
-			all.push_back(static_cast<T *>(node));
+		for (const uint64_t id : _nodes) {
+			all.push_back(godot::Object::cast_to<T>(godot::ObjectDB::get_instance(id)));
 		}
-		std::ranges::sort(all, {}, [](const T *p_node) { return p_node->get_instance_id(); });
 		return all;
 	}
 
 private:
-	std::set<godot::Node3D *> _nodes;
+	std::set<uint64_t> _nodes; // instance ids
 	uint64_t _revision = 0;
 };
 

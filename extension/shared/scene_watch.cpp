@@ -7,29 +7,9 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
-#include <algorithm>
-
 using namespace godot;
 
 namespace grass {
-
-namespace {
-
-template <typename T> void add_node(Node *p_node, std::vector<T *> &r_list) {
-	T *node = Object::cast_to<T>(p_node);
-	if (node != nullptr && std::find(r_list.begin(), r_list.end(), node) == r_list.end()) {
-		r_list.push_back(node);
-	}
-}
-
-template <typename T> void remove_node(Node *p_node, std::vector<T *> &r_list) {
-	T *node = Object::cast_to<T>(p_node);
-	if (node != nullptr) {
-		std::erase(r_list, node);
-	}
-}
-
-} // namespace
 
 SceneWatch *SceneWatch::_singleton = nullptr;
 
@@ -68,17 +48,17 @@ void SceneWatch::start(Node *p_inside) {
 }
 
 void SceneWatch::_added(Node *p_node) {
-	add_node(p_node, _cameras);
-	add_node(p_node, _suns);
-	add_node(p_node, _environments);
-	add_node(p_node, _soft_bodies);
+	_cameras.add(p_node);
+	_suns.add(p_node);
+	_environments.add(p_node);
+	_soft_bodies.add(p_node);
 }
 
 void SceneWatch::_removed(Node *p_node) {
-	remove_node(p_node, _cameras);
-	remove_node(p_node, _suns);
-	remove_node(p_node, _environments);
-	remove_node(p_node, _soft_bodies);
+	_cameras.remove(p_node);
+	_suns.remove(p_node);
+	_environments.remove(p_node);
+	_soft_bodies.remove(p_node);
 }
 
 } // namespace grass

@@ -16,7 +16,7 @@ from tools.fetch import machine, settle
 from tools.pages import links, prose, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.run import engine
-from tools.test import bench_tests, formatting, one_text, rooms
+from tools.test import bench_tests, formatting, members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -200,6 +200,7 @@ def run(only, layers):
 
 CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
+	"docs/members": members.wrong,
 	"docs/decisions": wrong_decisions,
 	"docs/guide has no equation": wrong_guide,
 	"docs/navigation of the site": wrong_navigation,

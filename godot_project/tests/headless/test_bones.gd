@@ -160,3 +160,20 @@ func test_who_comes_from_afar_bends_grass_at_once() -> void:
 	chain.set_bone_pose_position(0, Vector3(-1400, 0, 0))
 	await ticks(10)
 	assert_eq(field.get_counters().bones, 5, "its bones alone: within eight ticks")
+
+
+## Fields share what was read of a skeleton in a tick, and a listener of one of them may free it before the next one reads.
+func test_a_listener_of_one_field_frees_the_skeleton_that_the_next_one_reads() -> void:
+	var first := add_field()
+	var second := add_field({position = Vector3(50, 0, 0)})
+	var leg := add_leg(Vector3(50.25, 0, 0.25))
+	var bones: GrassBoneColliders3D = leg.get_child(0)
+	bones.reparent(self)
+	bones.skeleton = bones.get_path_to(leg)
+	await ticks(3)
+	assert_eq(second.get_counters().bones, 2)
+	first.body_entered_grass.connect(leg.free.unbind(1), CONNECT_ONE_SHOT)
+	add_held_body(ball(0.2), Vector3(0, 0.2, 0))
+	var held := [leg]  # a lambda may hold no freed object
+	await wait_until(func() -> bool: return not is_instance_valid(held[0]), "the skeleton is freed", true)
+	assert_eq(second.get_counters().bones, 0, "in the same tick")
