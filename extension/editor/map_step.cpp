@@ -16,14 +16,15 @@ void add_map_steps(EditorUndoRedoManager *p_history, const String &p_name, Objec
 			p_history->add_undo_property(step.new_of, "map", Variant());
 		}
 		GrassMap *map = step.map.ptr();
+		const Ref<GrassMapSnapshot> after = map->take_snapshot();
 		if (step.world != nullptr) {
-			const Ref<GrassMapSnapshot> after = map->take_snapshot();
 			p_history->add_do_method(step.world, "restore_plot", step.plot, after, step.before);
 			p_history->add_undo_method(step.world, "restore_plot", step.plot, step.before, after);
 			continue;
 		}
-		p_history->add_do_method(map, "restore_snapshot", map->take_snapshot());
-		p_history->add_undo_method(map, "restore_snapshot", step.before);
+		// Another scene with the same file may have painted it meanwhile.
+		p_history->add_do_method(map, "restore_snapshot", after, step.before);
+		p_history->add_undo_method(map, "restore_snapshot", step.before, after);
 	}
 	p_history->commit_action(false);
 	for (const MapStep &step : p_steps) {

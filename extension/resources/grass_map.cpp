@@ -2,6 +2,7 @@
 #include "resources/grass_map.h"
 
 #include "core/map/map_changes.h"
+#include "core/map/map_merge.h"
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
 #include "shared/bind_property.h"
@@ -158,10 +159,20 @@ Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 	return snapshot;
 }
 
-void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
+void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot, const Ref<GrassMapSnapshot> &p_from) {
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs a snapshot from take_snapshot().", label()));
-	PaintMap before = p_snapshot->map;
-	if (write([&] { std::swap(_map, before); })) {
+	PaintMap before;
+	std::string reason;
+	const bool is_written = write([&] {
+		before = _map;
+		if (p_from.is_null()) {
+			_map = p_snapshot->map;
+		} else {
+			reason = merge_maps(p_from->map, p_snapshot->map, _map).reason;
+		}
+	});
+	ERR_FAIL_COND_MSG(!reason.empty(), vformat("%s: the restored map %s.", label(), String(reason.c_str())));
+	if (is_written) {
 		tell_of_replacing(before);
 	}
 }
@@ -226,7 +237,7 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("load_channel_image", "channel", "path", "region"), &GrassMap::load_channel_image, DEFVAL(Rect2()));
 	ClassDB::bind_method(D_METHOD("fill", "rule", "region"), &GrassMap::fill);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
-	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
+	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot", "from"), &GrassMap::restore_snapshot, DEFVAL(Ref<GrassMapSnapshot>()));
 	ClassDB::bind_method(D_METHOD("get_changes_since", "snapshot"), &GrassMap::get_changes_since);
 	ClassDB::bind_method(D_METHOD("apply_changes", "changes"), &GrassMap::apply_changes);
 	ClassDB::bind_method(D_METHOD("merge", "base", "theirs", "prefer_theirs"), &GrassMap::merge, DEFVAL(false));

@@ -88,7 +88,8 @@ public:
 	double fill(const godot::Ref<GrassFillRule> &p_rule, const godot::Rect2 &p_region);
 	int64_t save_to_file(const godot::String &p_path) const; // whatever its extension; returns an Error
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
-	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
+	// p_from: null: restores all of it. Otherwise what differs between the two, so that others' changes stay.
+	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot, const godot::Ref<GrassMapSnapshot> &p_from = {});
 	// Returns the changes since a snapshot, in order: what a server sends its clients.
 	godot::PackedByteArray get_changes_since(const godot::Ref<GrassMapSnapshot> &p_snapshot) const;
 	bool apply_changes(const godot::PackedByteArray &p_changes);

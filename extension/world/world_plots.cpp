@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/world_plots.h"
 
+#include "core/map/map_merge.h"
 #include "core/world/plot_map.h"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ int64_t WorldPlots::save() {
 void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to) {
 	const bool has_terrain = _fields.get_pattern().has_terrain;
 	const auto change = [from = kept_of(p_from, has_terrain), to = kept_of(p_to, has_terrain)](
-								PaintMap &r_map) { put_back(r_map, from, to); };
+								PaintMap &r_map) { (void)merge_maps(from, to, r_map); };
 	const auto found = _plots.find(p_key);
 	if (GrassField *field = found != _plots.end() ? field_of(found->second) : nullptr) {
 		if (field->get_map().is_null()) { // a script removed it

@@ -162,3 +162,56 @@ TEST_CASE("map_merge: a map that would be too large is refused, and nothing chan
 			"would take 1 MB of memory, but a map may take at most 1 MB (the setting)");
 	CHECK(small.is_empty());
 }
+
+TEST_CASE("map_merge: an undone step takes back its own texels, whoever painted since") {
+	const PaintMap before = make_map(5), mine = painted(before, 6, 0), both = painted(mine, 7, 1), others = painted(before, 7, 1);
+	PaintMap undone = both;
+	CHECK(merge_maps(mine, before, undone).conflicts.empty());
+	CHECK(are_same(undone, others));
+	CHECK(merge_maps(before, mine, undone).conflicts.empty()); // redone
+	CHECK(are_same(undone, both));
+}
+
+TEST_CASE("map_merge: what others painted over a step stays when it is undone") {
+	PaintMap before;
+	before.set_base_density(1.0);
+	PaintMap mine = before;
+	mine.set_code(MAP_DENSITY, 0, 3, 3, 10);
+	mine.set_code(MAP_DENSITY, 0, 4, 3, 10);
+	PaintMap map = mine;
+	map.set_code(MAP_DENSITY, 0, 4, 3, 20);
+	(void)merge_maps(mine, before, map);
+	CHECK(map.get_code(MAP_DENSITY, 0, 3, 3) == 255);
+	CHECK(map.get_code(MAP_DENSITY, 0, 4, 3) == 20);
+	map.set_code(MAP_DENSITY, 0, 4, 3, 255);
+	map.compact();
+	CHECK(map.is_empty());
+}
+
+TEST_CASE("map_merge: an undone base density leaves what was painted on it") {
+	PaintMap bare, full;
+	full.set_base_density(1.0);
+	PaintMap map = full;
+	map.set_code(MAP_DENSITY, 0, 3, 3, 10); // another scene erases there
+	(void)merge_maps(full, bare, map);
+	CHECK(map.get_base_density() == 0.0);
+	CHECK(map.get_code(MAP_DENSITY, 0, 3, 3) == 10);
+	CHECK(map.get_code(MAP_DENSITY, 0, 4, 3) == 0);
+}
+
+TEST_CASE("map_merge: only chunks that differ are copied, and what is restored shares its texels") {
+	const PaintMap before = make_map(8);
+	PaintMap mine = before;
+	mine.set_code(MAP_WEAR, 0, 5, 5, 77);
+	const MapKey touched{ 0, 0 };
+	PaintMap map = mine;
+	(void)merge_maps(mine, before, map);
+	size_t copied = 0;
+	for (const auto &[key, chunk] : map.get_chunks()) {
+		for (size_t channel = 0; channel < MAP_CHANNELS; channel++) {
+			copied += chunk.channels[channel] != before.find(key)->channels[channel] ? 1 : 0;
+		}
+	}
+	CHECK(before.find(touched) != nullptr);
+	CHECK(copied == 0);
+}

@@ -45,28 +45,35 @@ private:
 		}
 	}
 
-	static const MapTexels *find(const PaintMap &p_map, const MapKey &p_key, MapChannel p_channel) {
+	static std::shared_ptr<const MapTexels> find(const PaintMap &p_map, const MapKey &p_key, MapChannel p_channel) {
 		const MapChunk *chunk = p_map.find(p_key);
-		return chunk != nullptr ? chunk->channels[size_t(p_channel)].get() : nullptr;
+		return chunk != nullptr ? chunk->channels[size_t(p_channel)] : nullptr;
 	}
 	static MapTexels texels_of(const PaintMap &p_map, const MapKey &p_key, MapChannel p_channel) {
-		const MapTexels *texels = find(p_map, p_key, p_channel);
+		const auto texels = find(p_map, p_key, p_channel);
 		return texels != nullptr ? *texels : p_map.initial_texels(p_channel);
+	}
+	// Returns whether chunks without texels have the same codes in all three.
+	bool is_initially_same(MapChannel p_channel) const {
+		const double base = _base.get_base_density();
+		return p_channel != MAP_DENSITY || (base == _theirs.get_base_density() && base == _mine.get_base_density());
 	}
 
 	void merge_channel(const MapKey &p_key, MapChannel p_channel) {
-		if (find(_base, p_key, p_channel) == nullptr && find(_theirs, p_key, p_channel) == nullptr &&
-				find(_mine, p_key, p_channel) == nullptr) {
-			return; // the base density covers it
+		const auto base = find(_base, p_key, p_channel), theirs = find(_theirs, p_key, p_channel), mine = find(_mine, p_key, p_channel);
+		if ((!base && !theirs && !mine) || (is_initially_same(p_channel) && (theirs == base || theirs == mine))) {
+			return; // the base density covers it, or they changed nothing
 		}
 		MapTexels merged = texels_of(_mine, p_key, p_channel);
 		merge_texels(p_key, p_channel, texels_of(_base, p_key, p_channel), texels_of(_theirs, p_key, p_channel), merged);
-		const MapTexels *mine = find(_mine, p_key, p_channel);
-		if (mine != nullptr && *mine == merged) {
+		if (mine && *mine == merged) {
 			return; // shares its texels
 		}
-		const bool is_initial = merged == _map.initial_texels(p_channel);
-		if (!_map.set_texels(p_key, p_channel, is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(merged)))) {
+		std::shared_ptr<const MapTexels> texels; // of what is as it was at first: none
+		if (merged != _map.initial_texels(p_channel)) {
+			texels = theirs && *theirs == merged ? theirs : std::make_shared<const MapTexels>(std::move(merged));
+		}
+		if (!_map.set_texels(p_key, p_channel, texels)) {
 			_result.reason =
 					"would have too many chunks: a map holds at most " + std::to_string(PaintMap::MAX_CHUNKS) + " that are painted";
 		}
@@ -76,9 +83,9 @@ private:
 		const MapChannelInfo &info = info_of(p_channel);
 		const size_t bytes = size_t(info.components * info.bytes);
 		// Where one of them painted nothing, it only changed the density of everything that is not painted: paint stays above that.
-		const bool is_base_bare = find(_base, p_key, p_channel) == nullptr;
-		const bool have_they_painted = !is_base_bare || find(_theirs, p_key, p_channel) != nullptr;
-		const bool have_i_painted = !is_base_bare || find(_mine, p_key, p_channel) != nullptr;
+		const bool is_base_bare = !find(_base, p_key, p_channel);
+		const bool have_they_painted = !is_base_bare || find(_theirs, p_key, p_channel);
+		const bool have_i_painted = !is_base_bare || find(_mine, p_key, p_channel);
 		MergeConflict conflict{ p_key, p_channel, 0, {} };
 		for (size_t at = 0; at < r_mine.size(); at += bytes) {
 			const auto are_same = [&](const MapTexels &p_a, const MapTexels &p_b) { return std::memcmp(&p_a[at], &p_b[at], bytes) == 0; };

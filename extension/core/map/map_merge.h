@@ -25,7 +25,7 @@ struct MapMerge {
 };
 
 // Brings the changes from p_base to p_theirs into r_mine, or leaves it as it was. What both changed differently stays as it is in mine, or
-// becomes theirs.
+// becomes theirs. Undo works so, too: it brings the changes from after a step to before it into the map as others have changed it since.
 MapMerge merge_maps(
 		const PaintMap &p_base, const PaintMap &p_theirs, PaintMap &r_mine, bool p_prefers_theirs = false, const ReadLimits &p_limits = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a plot's map that is saved to a file, and undo of changes, whether the plot is in memory or not.
+// The part of a plot's map that is saved to a file.
 #pragma once
 
 #include "core/map/paint_map.h"
@@ -38,26 +38,6 @@ inline int64_t crop(PaintMap &r_map, const ReadLimits &p_limits) {
 
 inline bool is_same(const PaintMap &p_one, const PaintMap &p_other) {
 	return p_one.get_base_density() == p_other.get_base_density() && p_one.compare(p_other).empty();
-}
-
-// Changes r_map to what p_to holds, wherever that differs from p_from. Leaves everything else in r_map as it is.
-inline void put_back(PaintMap &r_map, const PaintMap &p_from, const PaintMap &p_to) {
-	const auto texels_of = [](const PaintMap &p_map, const MapKey &p_key, size_t p_channel) {
-		const MapChunk *chunk = p_map.find(p_key);
-		return chunk != nullptr ? chunk->channels[p_channel] : nullptr;
-	};
-	if (p_from.get_base_density() != p_to.get_base_density()) {
-		r_map.set_base_density(p_to.get_base_density());
-	}
-	for (const MapKey &key : p_to.compare(p_from)) {
-		for (size_t channel = 0; channel < MAP_CHANNELS; channel++) {
-			const auto from = texels_of(p_from, key, channel), to = texels_of(p_to, key, channel);
-			if (from != to && !(from && to && *from == *to)) {
-				r_map.set_texels(key, MapChannel(channel), to);
-			}
-		}
-	}
-	r_map.drop_empty();
 }
 
 } // namespace grass

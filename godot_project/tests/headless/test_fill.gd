@@ -113,6 +113,24 @@ func test_strokes_and_cuts_fill_nothing_again_but_snapshots_do() -> void:
 	assert_eq(field.get_counters().fill_cells, cells + 16 * CELLS_A_CHUNK)
 
 
+func test_what_a_step_takes_back_is_filled_by_the_rule_of_now() -> void:
+	var rule := _rule()
+	var field := await _add_filled(rule)
+	var before_it := field.map.take_snapshot()
+	_erase(field.map, Vector2(20, 20), 6.0)
+	var after_it := field.map.take_snapshot()
+	_erase(field.map, Vector2(-20, 20), 6.0)
+	rule.density = 0.5
+	await _follow()
+	field.map.restore_snapshot(before_it, after_it)
+	await _follow()
+	assert_near(_density(field, 20, 20), 0.5, 0.01, "undone")
+	assert_near(_density(field, -20, 20), 0.0, 0.01, "the other one stays")
+	field.map.restore_snapshot(after_it, before_it)
+	await _follow()
+	assert_near(_density(field, 20, 20), 0.0, 0.01, "and again")
+
+
 func test_the_maps_base_density_shows_only_where_no_rule_fills() -> void:
 	var rule := _rule()
 	var field := await _add_filled(rule)

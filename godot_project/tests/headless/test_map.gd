@@ -75,6 +75,26 @@ func test_a_snapshot_undoes_and_redoes_a_stroke() -> void:
 	assert_eq(map.get_data(), erased)
 
 
+func test_a_snapshot_can_take_back_one_of_two_changes() -> void:
+	var map := _small_map()
+	var before_stroke := map.take_snapshot()
+	map.stroke(_brush(GrassBrush.TOOL_ERASE, 2.0), Vector2(0, 6), Vector2(0, 6))
+	var after_stroke := map.take_snapshot()
+	map.stroke(_brush(GrassBrush.TOOL_ERASE, 2.0), Vector2(20, 13), Vector2(20, 13))
+	var both := map.get_data()
+	var changes: Array[Rect2] = []
+	map.chunks_changed.connect(func(_chunks: Array[Vector2i], region: Rect2) -> void: changes.append(region))
+	map.restore_snapshot(before_stroke, after_stroke)
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(0, 6)), 1.0, 0.01)
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(20, 13)), 0.0, 0.01)
+	assert_eq(changes.size(), 1)
+	map.restore_snapshot(after_stroke, before_stroke)
+	assert_eq(map.get_data(), both)
+	map.restore_snapshot(after_stroke, before_stroke)
+	assert_eq(map.get_data(), both, "done already")
+	assert_eq(changes.size(), 2, "nobody is told of nothing")
+
+
 func test_saved_and_loaded_it_is_the_same_map() -> void:
 	var map := _small_map()
 	map.base_density = 0.5

@@ -93,6 +93,20 @@ func test_an_unsaved_game_is_not_shown_in_another_slot_nor_written_there() -> vo
 	assert_eq(in_file(SLOT_2), 1.0)
 
 
+func test_a_step_in_a_plot_takes_back_only_its_own_difference() -> void:
+	var world := add_world({folder = SLOT_1})
+	await go(world, PLACE)
+	var map := world.get_field_at(PLACE).map
+	var before_it := map.take_snapshot()
+	erase(world, PLACE)
+	var after_it := map.take_snapshot()
+	erase(world, BESIDE)
+	world.restore_plot(Vector2i.ZERO, before_it, after_it)
+	assert_eq(density(world), 1.0, "undone")
+	assert_eq(density(world, BESIDE), 0.0, "painted since, in the same chunk")
+	world.discard_unsaved()
+
+
 func test_an_unsaved_game_is_carried_over_when_it_is_asked_for() -> void:
 	expect_error("`folder` and `save_folder` are empty")
 	expect_error("were never written, and belong to other folders")
