@@ -8,6 +8,7 @@
 #include "draw/shared_shader.h"
 #include "editor/grass_editor_plugin.h"
 #include "editor/kept_plots_dialog.h"
+#include "editor/own_map_dialog.h"
 #include "editor/species_preview.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
@@ -66,6 +67,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::GrassExportPlugin);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportMasks);
 		GDREGISTER_INTERNAL_CLASS(grass::KeptPlotsDialog);
+		GDREGISTER_INTERNAL_CLASS(grass::OwnMapDialog);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
 		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);

@@ -38,6 +38,7 @@ public:
 		MENU_NEIGHBOURS,
 		MENU_EXPORT,
 		MENU_IMPORT,
+		MENU_UNIQUE,
 	};
 
 	BrushToolbar();

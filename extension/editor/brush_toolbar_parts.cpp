@@ -183,6 +183,8 @@ void BrushToolbar::add_menu() {
 	add(MENU_FULL, "Full Field", "Grass grows everywhere except where you erase it from now on.");
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
+	add(MENU_UNIQUE, "Make Unique",
+			"Gives the field copies of its own of the map, and of the rule, species and patches that are not files.");
 	popup->add_separator();
 	add(MENU_EXPORT, "Export Picture…", "Saves a channel of the map as PNG or EXR.");
 	add(MENU_IMPORT, "Import Picture…", "Reads a PNG or an EXR into a channel of the map.");

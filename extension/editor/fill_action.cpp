@@ -3,6 +3,8 @@
 
 #include "editor/field_stroke.h"
 #include "editor/map_step.h"
+#include "editor/own_map_dialog.h"
+#include "editor/toast.h"
 #include "shared/editor_hooks.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
@@ -14,11 +16,18 @@ namespace grass {
 namespace {
 
 void mark_edited(const Ref<Resource> &p_resource) {
-	EditorInterface::get_singleton()->set_object_edited(p_resource.ptr(), true);
+	EditorInterface *editor = EditorInterface::get_singleton();
+	editor->set_object_edited(p_resource.ptr(), true);
+	const Node *root = editor->get_edited_scene_root();
+	if (const String file = root != nullptr ? find_foreign_file(p_resource, *root) : String(); !file.is_empty()) {
+		toast(vformat("GrassField: what the rule has filled is in a map of %s, which this scene does not save. Choose Make Unique in the "
+					  "menu at the toolbar's end, or turn `fill_live` on again.",
+				file.get_file()));
+	}
 }
 
 // A field without a map gets one with grass everywhere.
-void fill(GrassField &r_field) {
+void fill_own(GrassField &r_field) {
 	const bool is_new = r_field.get_map().is_null();
 	const Ref<GrassMap> map = is_new ? add_map(&r_field, false) : r_field.get_map();
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
@@ -26,6 +35,18 @@ void fill(GrassField &r_field) {
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
 	const MapStep step{ map, before, is_new ? &r_field : nullptr };
 	add_map_steps(history, "Fill Grass", &r_field, { &step, 1 });
+}
+
+void fill(GrassField &r_field) {
+	const uint64_t id = r_field.get_instance_id();
+	const auto again = [id] {
+		if (GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(id))) {
+			fill_own(*field);
+		}
+	};
+	if (OwnMapDialog::may_change(r_field, again)) {
+		fill_own(r_field);
+	}
 }
 
 } // namespace

@@ -4,11 +4,13 @@
 
 #include "editor/map_pictures.h"
 #include "editor/map_step.h"
+#include "editor/own_map_dialog.h"
 #include "editor/species_drop.h"
+#include "editor/toast.h"
+#include "editor/unique_field.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_selection.hpp>
-#include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -20,10 +22,16 @@ namespace {
 
 constexpr int32_t VIEWS = 4; // of the editor, shown or not
 
+// A part of another scene is copied, since it would change with that.
+Ref<Resource> own_if_foreign(const Ref<Resource> &p_resource) {
+	const Node *root = EditorInterface::get_singleton()->get_edited_scene_root();
+	return root == nullptr || find_foreign_file(p_resource, *root).is_empty() ? p_resource : own_copy(p_resource);
+}
+
 } // namespace
 
 // Something done to whole fields, or to all plots of a world in memory, as one step of the history.
-template <typename F> void GrassEditorPlugin::change_maps(const char *p_name, F &&p_change) {
+void GrassEditorPlugin::change_maps(const char *p_name, const MapChange &p_change) {
 	finish_stroke();
 	finish_ground();
 	Node3D *selected = find_selected();
@@ -39,7 +47,7 @@ template <typename F> void GrassEditorPlugin::change_maps(const char *p_name, F 
 	}
 }
 
-template <typename F> std::optional<MapStep> GrassEditorPlugin::change_map(GrassField *p_field, GrassWorld *p_world, F &&p_change) {
+std::optional<MapStep> GrassEditorPlugin::change_map(GrassField *p_field, GrassWorld *p_world, const MapChange &p_change) {
 	const bool is_new = p_field->get_map().is_null();
 	const Ref<GrassMap> map = is_new ? add_map(p_field, _toolbar->follows_ground()) : p_field->get_map();
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
@@ -54,6 +62,9 @@ template <typename F> std::optional<MapStep> GrassEditorPlugin::change_map(Grass
 }
 
 void GrassEditorPlugin::_bake_pressed() {
+	if (!may_change([this] { _bake_pressed(); })) {
+		return;
+	}
 	bool found = false;
 	change_maps("Bake Grass Ground", [&found](GrassField &r_field, GrassMap &) {
 		const bool is_here = r_field.bake_ground() > 0;
@@ -61,14 +72,20 @@ void GrassEditorPlugin::_bake_pressed() {
 		return is_here;
 	});
 	if (!found) {
-		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-				"GrassField: no ground found. Add a collision shape to what the grass should grow on.", EditorToaster::SEVERITY_WARNING);
+		toast("GrassField: no ground found. Add a collision shape to what the grass should grow on.");
 	}
 }
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 	if (p_item == BrushToolbar::MENU_EXPORT || p_item == BrushToolbar::MENU_IMPORT) {
 		_pictures.ask(p_item == BrushToolbar::MENU_IMPORT);
+		return;
+	}
+	if (p_item == BrushToolbar::MENU_UNIQUE) {
+		make_selected_unique();
+		return;
+	}
+	if (!may_change([this, p_item] { _menu_pressed(p_item); })) {
 		return;
 	}
 	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
@@ -94,6 +111,9 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 }
 
 void GrassEditorPlugin::_picture_chosen(const String &p_path) {
+	if (_pictures.is_import() && !may_change([this, p_path] { _picture_chosen(p_path); })) {
+		return;
+	}
 	GrassWorld *world = Object::cast_to<GrassWorld>(find_selected());
 	MapPictures pictures(_pictures.get_channel(), p_path, world);
 	if (_pictures.is_import()) {
@@ -107,10 +127,18 @@ void GrassEditorPlugin::_picture_chosen(const String &p_path) {
 	}
 	const String problem = pictures.get_problem();
 	const bool is_done = problem.is_empty() && pictures.get_count() > 0;
-	EditorInterface::get_singleton()->get_editor_toaster()->push_toast(is_done
-					? vformat(_pictures.is_import() ? "Imported pictures: %d." : "Exported pictures: %d.", pictures.get_count())
-					: "GrassField: " + (problem.is_empty() ? vformat("'%s': there is no picture for a plot in memory.", p_path) : problem),
+	toast(is_done ? vformat(_pictures.is_import() ? "Imported pictures: %d." : "Exported pictures: %d.", pictures.get_count())
+				  : "GrassField: " + (problem.is_empty() ? vformat("'%s': there is no picture for a plot in memory.", p_path) : problem),
 			is_done ? EditorToaster::SEVERITY_INFO : EditorToaster::SEVERITY_ERROR);
+}
+
+void GrassEditorPlugin::make_selected_unique() {
+	GrassField *field = Object::cast_to<GrassField>(find_selected());
+	finish_stroke();
+	finish_ground();
+	if (field != nullptr && OwnMapDialog::may_set(*field)) {
+		make_unique(*field);
+	}
 }
 
 // They grow beside the field's own, and the last one is in the hand.
@@ -118,23 +146,25 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 	GrassField *field = Object::cast_to<GrassField>(find_selected());
 	if (field == nullptr) {
 		if (find_selected() != nullptr) {
-			EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-					"GrassWorld: all plots grow the species of one field. Open the scene in `plot_scene` and drop it there.",
-					EditorToaster::SEVERITY_WARNING);
+			toast("GrassWorld: all plots grow the species of one field. Open the scene in `plot_scene` and drop it there.");
 		}
+		return;
+	}
+	if (!OwnMapDialog::may_set(*field)) {
 		return;
 	}
 	const TypedArray<GrassSpecies> before = field->get_species();
 	TypedArray<GrassSpecies> after = before.duplicate();
+	int64_t last = -1; // that is dropped, in `after`
 	for (int64_t i = 0; i < p_species.size(); i++) {
-		if (!after.has(p_species[i])) {
-			after.push_back(p_species[i]);
+		last = after.find(p_species[i]);
+		if (last < 0) {
+			last = after.size();
+			after.push_back(own_if_foreign(p_species[i]));
 		}
 	}
 	if (after.size() > GRASS_MAX_SPECIES) {
-		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-				vformat("GrassField: a field grows %d species at most. Remove one from `species` first.", GRASS_MAX_SPECIES),
-				EditorToaster::SEVERITY_WARNING);
+		toast(vformat("GrassField: a field grows %d species at most. Remove one from `species` first.", GRASS_MAX_SPECIES));
 		return;
 	}
 	if (after.size() > before.size()) {
@@ -145,7 +175,7 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 		history->commit_action();
 	}
 	_toolbar->show_species(field);
-	_toolbar->take_species(after.find(p_species[p_species.size() - 1]) + 1);
+	_toolbar->take_species(last + 1);
 }
 
 // The editor's views refuse what they do not know.

@@ -142,7 +142,8 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 			return AFTER_GUI_INPUT_PASS;
 		}
 		finish_stroke();
-		if (const auto point = show_brush(p_camera, p_button->get_position(), keys_of(p_button.ptr()), false)) {
+		const auto point = show_brush(p_camera, p_button->get_position(), keys_of(p_button.ptr()), false);
+		if (point && may_change()) {
 			finish_ground();
 			_stroke.begin(*find_painted(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}

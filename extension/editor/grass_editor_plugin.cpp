@@ -4,12 +4,13 @@
 
 #include "editor/fill_action.h"
 #include "editor/kept_plots_dialog.h"
+#include "editor/own_map_dialog.h"
 #include "editor/save_worlds.h"
 #include "editor/species_preview.h"
+#include "editor/toast.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
-#include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
@@ -41,6 +42,7 @@ void GrassEditorPlugin::_enter_tree() {
 	GrassWorld::scene_saved = &save_world;
 	KeptPlotsDialog::create();
 	GrassWorld::places_changed = &KeptPlotsDialog::ask;
+	OwnMapDialog::create();
 	set_process(true);
 }
 
@@ -49,6 +51,7 @@ void GrassEditorPlugin::_exit_tree() {
 	GrassWorld::scene_saved = nullptr;
 	GrassWorld::places_changed = nullptr;
 	KeptPlotsDialog::free();
+	OwnMapDialog::free();
 	put_down();
 	_watch.forget();
 	_ring.free();
@@ -76,7 +79,7 @@ void GrassEditorPlugin::_notification(int p_what) {
 		if (_toolbar->is_visible()) {
 			_toolbar->show_species(find_field());
 		}
-		if (!_toolbar->follows_ground()) {
+			if (!_toolbar->follows_ground()) {
 			_watch.forget();
 		} else if (!_stroke.is_active()) { // a stroke keeps a snapshot, which must contain whole strokes and all ground
 			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
@@ -89,6 +92,11 @@ void GrassEditorPlugin::finish_ground() {
 	if (_toolbar != nullptr && _toolbar->follows_ground()) {
 		_watch.finish(EditorInterface::get_singleton()->get_edited_scene_root());
 	}
+}
+
+bool GrassEditorPlugin::may_change(const std::function<void()> &p_then) {
+	const GrassField *field = Object::cast_to<GrassField>(find_selected());
+	return field == nullptr || OwnMapDialog::may_change(*field, p_then);
 }
 
 void GrassEditorPlugin::_apply_changes() {
@@ -156,12 +164,9 @@ void GrassEditorPlugin::finish_stroke() {
 	}
 	_stroke.finish(get_undo_redo());
 	if (const PackedStringArray &names = _stroke.get_left_out(); !names.is_empty()) {
-		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-				vformat("GrassField: the species was not planted in %s, which does not grow it. Select the field and drop the species on "
-						"its "
-						"brush's Species tool, or add it to `species`.",
-						String(", ").join(names)),
-				EditorToaster::SEVERITY_WARNING);
+		toast(vformat("GrassField: the species was not planted in %s, which does not grow it. Select the field and drop the species on its "
+					  "brush's Species tool, or add it to `species`.",
+				String(", ").join(names)));
 	}
 }
 

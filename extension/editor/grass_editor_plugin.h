@@ -23,6 +23,8 @@
 #include <godot_cpp/classes/input_event_mouse_motion.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 
+#include <functional>
+
 namespace grass {
 
 class GrassEditorPlugin : public godot::EditorPlugin {
@@ -65,15 +67,19 @@ private:
 	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
+	// Returns whether the edited scene saves what is changed in the selected field's map. If not, asks, and may run p_then later.
+	bool may_change(const std::function<void()> &p_then = {});
 	void put_down(); // ends the stroke; hides ring, preview and answer
-	template <typename F> void change_maps(const char *p_name, F &&p_change);
-	template <typename F> std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, F &&p_change);
+	using MapChange = std::function<bool(GrassField &r_field, GrassMap &r_map)>; // returns whether anything was done
+	void change_maps(const char *p_name, const MapChange &p_change);
+	std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, const MapChange &p_change);
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
 	void _species_dropped_on(godot::Object *p_field, const godot::Array &p_species);
 	void begin_drag();
 	void end_drag();
+	void make_selected_unique();
 	void _menu_pressed(int64_t p_item);
 	void _picture_chosen(const godot::String &p_path);
 

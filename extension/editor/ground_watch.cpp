@@ -3,6 +3,8 @@
 
 #include "core/base/cpu_clock.h"
 #include "core/fill/fill.h"
+#include "editor/field_owner.h"
+#include "editor/toast.h"
 #include "physics/ground_rays.h"
 #include "shared/convert.h"
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace godot;
 
@@ -95,6 +98,7 @@ void GroundWatch::forget() {
 	_pieces.clear();
 	_next_body = 0;
 	_frames_left = _rounds_left = 0;
+	_is_told = false;
 }
 
 void GroundWatch::update(Node *p_root) {
@@ -213,9 +217,20 @@ void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now)
 	}
 }
 
+// Ground that the scene would not save is not read.
+bool GroundWatch::may_lay(const GrassField &p_field) {
+	const auto foreign = find_foreign(p_field);
+	if (foreign && !std::exchange(_is_told, true)) {
+		toast(vformat("GrassField '%s': the ground below it is not read again, since %s a part of %s, which this scene does not save.%s",
+				p_field.get_name(), foreign->has_own_properties ? "its map is" : "it is", foreign->file.get_file(),
+				foreign->has_own_properties ? " Choose Make Unique in the menu at the toolbar's end, or open that scene." : ""));
+	}
+	return !foreign;
+}
+
 void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left) {
 	const MapRegion region = p_region.shared(region_of(p_field));
-	if (!region.has_area()) {
+	if (!region.has_area() || !may_lay(p_field)) {
 		return;
 	}
 	if (!_pieces.empty()) { // what was read of it is of the moment before

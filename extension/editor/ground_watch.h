@@ -48,6 +48,7 @@ private:
 	void look_at_fields();
 	std::vector<const GrassField *> find_fields() const;
 	void add_body(Watched<GroundBody> &r_body, const GroundBody &p_now);
+	bool may_lay(const GrassField &p_field);
 	void add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left);
 	void read(int64_t p_most);
 	bool read_on(int64_t p_most);
@@ -58,6 +59,7 @@ private:
 	std::map<uint64_t, Watched<GroundBody>> _bodies; // by the node's id
 	std::map<uint64_t, Watched<godot::Transform3D>> _poses; // of fields, by id
 	std::deque<Piece> _pieces;
+	bool _is_told = false; // that the ground below some field of this scene is not read
 	uint64_t _next_body = 0; // id, at which this round goes on
 	int _frames_left = 0, _rounds_left = 0; // to the next round; to the next search for bodies
 	int64_t _rays = 0, _most_rays = 0;

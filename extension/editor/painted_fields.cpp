@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/painted_fields.h"
 
+#include "editor/field_owner.h"
 #include "nodes/field_monitors.h"
 #include "shared/convert.h"
 
@@ -25,17 +26,10 @@ bool faces_as(const GrassField &p_field, const GrassField &p_other) {
 	return p_field.field_transform().basis.get_column(1).dot(p_other.field_transform().basis.get_column(1)) >= real_t(FACING);
 }
 
-// Returns whether a map is in another scene's file, so that saving this scene would not save it.
-bool is_foreign(const Ref<GrassMap> &p_map, const String &p_scene) {
-	const String path = p_map.is_valid() ? p_map->get_path() : String();
-	return path.contains("::") && path.get_slice("::", 0) != p_scene;
-}
-
 bool is_neighbour(const GrassField &p_field, const GrassField &p_chosen, const Node *p_root) {
-	const bool is_saved = p_field.get_owner() == p_root || &p_field == p_root;
-	return is_saved && !is_foreign(p_field.get_map(), p_root->get_scene_file_path()) && p_field.is_visible_in_tree() &&
-			!p_field.has_meta("_edit_lock_") && p_field.get_world_3d() == p_chosen.get_world_3d() && faces_as(p_field, p_chosen) &&
-			!holds_middle_of(p_field, p_chosen) && !holds_middle_of(p_chosen, p_field);
+	return is_saved_by(*p_root, p_field) && !find_foreign(p_field) && p_field.is_visible_in_tree() && !p_field.has_meta("_edit_lock_") &&
+			p_field.get_world_3d() == p_chosen.get_world_3d() && faces_as(p_field, p_chosen) && !holds_middle_of(p_field, p_chosen) &&
+			!holds_middle_of(p_chosen, p_field);
 }
 
 // Returns the resource's own name, or the name of its file.
@@ -44,8 +38,7 @@ String name_of_species(const Ref<GrassSpecies> &p_species) {
 		return String();
 	}
 	const String path = p_species->get_path();
-	const bool has_file = !path.is_empty() && !path.contains("::");
-	return p_species->get_name().is_empty() && has_file ? path.get_file().get_basename() : p_species->get_name();
+	return p_species->get_name().is_empty() && has_own_file(**p_species) ? path.get_file().get_basename() : p_species->get_name();
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/species_palette.h"
 
+#include "editor/field_owner.h"
 #include "editor/species_preview.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
@@ -63,10 +64,9 @@ SpeciesPalette::Entry SpeciesPalette::entry_of(const Ref<GrassSpecies> &p_specie
 		entry.name += String(" (empty)");
 		return entry;
 	}
-	const bool has_file = !p_species->get_path().is_empty() && !p_species->get_path().contains("::");
 	if (!p_species->get_name().is_empty()) {
 		entry.name = p_species->get_name();
-	} else if (has_file) {
+	} else if (has_own_file(**p_species)) {
 		entry.name = p_species->get_path().get_file().get_basename().capitalize();
 	}
 	const SpeciesLook look = entry.species->get_look();

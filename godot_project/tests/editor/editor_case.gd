@@ -25,6 +25,12 @@ func before() -> void:
 	reset_brush()
 
 
+## Whether the editor has shown a message with this in it.
+func is_told(part: String) -> bool:
+	var labels := EditorInterface.get_editor_toaster().find_children("*", "Label", true, false)
+	return labels.any(func(label: Label) -> bool: return label.text.contains(part))
+
+
 ## Restores the state in which every test begins, whatever others did.
 func reset_brush() -> void:
 	var in_hand: BaseButton = toolbar.get_node("Why").button_group.get_pressed_button()
