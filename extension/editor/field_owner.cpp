@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/field_owner.h"
 
+#include "nodes/field_monitors.h"
+
 #include <godot_cpp/classes/editor_interface.hpp>
 
 using namespace godot;
@@ -37,6 +39,18 @@ std::optional<ForeignField> find_foreign(const GrassField &p_field, bool p_of_ma
 	}
 	const String file = find_foreign_file(map, *root);
 	return file.is_empty() ? std::nullopt : std::optional<ForeignField>({ file, true });
+}
+
+std::vector<const GrassField *> find_sharing(const GrassField &p_field) {
+	std::vector<const GrassField *> found;
+	const Node *root = EditorInterface::get_singleton()->get_edited_scene_root();
+	for (GrassField *field : FieldMonitors::get_fields()) {
+		const bool is_in_scene = root != nullptr && (field == root || root->is_ancestor_of(field));
+		if (field != &p_field && is_in_scene && p_field.get_map().is_valid() && field->get_map() == p_field.get_map()) {
+			found.push_back(field);
+		}
+	}
+	return found;
 }
 
 Ref<Resource> own_copy(const Ref<Resource> &p_resource) {

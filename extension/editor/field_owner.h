@@ -6,6 +6,7 @@
 #include "nodes/grass_field.h"
 
 #include <optional>
+#include <vector>
 
 namespace grass {
 
@@ -26,6 +27,9 @@ struct ForeignField {
 
 // Returns nothing if the edited scene saves changes of the field's map, or with p_of_map false of its properties.
 std::optional<ForeignField> find_foreign(const GrassField &p_field, bool p_of_map = true);
+
+// Returns other fields in the edited scene with the same map.
+std::vector<const GrassField *> find_sharing(const GrassField &p_field);
 
 // Returns a copy that is a part of the edited scene; null of null.
 godot::Ref<godot::Resource> own_copy(const godot::Ref<godot::Resource> &p_resource);

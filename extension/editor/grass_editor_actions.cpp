@@ -7,7 +7,6 @@
 #include "editor/own_map_dialog.h"
 #include "editor/species_drop.h"
 #include "editor/toast.h"
-#include "editor/unique_field.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_selection.hpp>

@@ -13,6 +13,8 @@
 #include <godot_cpp/classes/editor_resource_preview.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <utility>
+
 using namespace godot;
 
 namespace grass {
@@ -79,7 +81,8 @@ void GrassEditorPlugin::_notification(int p_what) {
 		if (_toolbar->is_visible()) {
 			_toolbar->show_species(find_field());
 		}
-			if (!_toolbar->follows_ground()) {
+		_duplicates.update(EditorInterface::get_singleton()->get_edited_scene_root());
+		if (!_toolbar->follows_ground()) {
 			_watch.forget();
 		} else if (!_stroke.is_active()) { // a stroke keeps a snapshot, which must contain whole strokes and all ground
 			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
@@ -96,7 +99,14 @@ void GrassEditorPlugin::finish_ground() {
 
 bool GrassEditorPlugin::may_change(const std::function<void()> &p_then) {
 	const GrassField *field = Object::cast_to<GrassField>(find_selected());
-	return field == nullptr || OwnMapDialog::may_change(*field, p_then);
+	_duplicates.update(EditorInterface::get_singleton()->get_edited_scene_root());
+	if (field != nullptr && !OwnMapDialog::may_change(*field, p_then)) {
+		return false;
+	}
+	if (field != nullptr && std::exchange(_told_id, _selected_id) != _selected_id) {
+		tell_of_sharing(*field);
+	}
+	return true;
 }
 
 void GrassEditorPlugin::_apply_changes() {
@@ -110,6 +120,7 @@ bool GrassEditorPlugin::_handles(Object *p_object) const {
 
 void GrassEditorPlugin::_edit(Object *p_object) {
 	put_down();
+	_told_id = 0;
 	_selected_id = p_object == nullptr ? 0 : p_object->get_instance_id();
 	if (_toolbar != nullptr) {
 		_toolbar->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);

@@ -13,6 +13,7 @@
 #include "editor/picture_dialog.h"
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
+#include "editor/unique_field.h"
 #include "editor/view_drop.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -90,6 +91,8 @@ private:
 	uint64_t _selected_id = 0; // of the selected field or world; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;
+	DuplicatedFields _duplicates;
+	uint64_t _told_id = 0; // of the selected field, once the editor has said with which others it shares its map
 	RingView _ring;
 	BrushPreview _preview;
 	std::vector<ViewDrop *> _drops; // exist while species are dragged
