@@ -4,6 +4,7 @@
 
 #include "editor/paint_stroke.h"
 #include "editor/tool_info.h"
+#include "shared/text.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/grid_container.hpp>
@@ -68,7 +69,7 @@ EditorSpinSlider *BrushToolbar::add_slider(
 	EditorSpinSlider *slider = memnew(EditorSpinSlider);
 	slider->set_name(String(p_tunable.name).to_pascal_case());
 	slider->set_label(p_label);
-	slider->set_suffix(String::utf8(p_tunable.unit));
+	slider->set_suffix(unit_of(p_tunable));
 	slider->set_min(p_tunable.minimum);
 	slider->set_max(p_tunable.maximum);
 	slider->set_step(p_tunable.step);
@@ -175,7 +176,7 @@ void BrushToolbar::add_menu() {
 	_menu->set_flat(true);
 	_menu->set_tooltip_text("The whole field.");
 	PopupMenu *popup = _menu->get_popup();
-	const auto add = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
+	const auto add = [&](MenuItem p_item, const String &p_text, const char *p_tooltip) {
 		popup->add_item(p_text, p_item);
 		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
 	};
@@ -186,8 +187,8 @@ void BrushToolbar::add_menu() {
 	add(MENU_UNIQUE, "Make Unique",
 			"Gives the field copies of its own of the map, and of the rule, species and patches that are not files.");
 	popup->add_separator();
-	add(MENU_EXPORT, "Export Picture…", "Saves a channel of the map as PNG or EXR.");
-	add(MENU_IMPORT, "Import Picture…", "Reads a PNG or an EXR into a channel of the map.");
+	add(MENU_EXPORT, String::utf8("Export Picture\u2026"), "Saves a channel of the map as PNG or EXR.");
+	add(MENU_IMPORT, String::utf8("Import Picture\u2026"), "Reads a PNG or an EXR into a channel of the map.");
 	popup->add_separator();
 	const auto add_check = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
 		popup->add_check_item(p_text, p_item);

@@ -3,6 +3,7 @@
 
 #include "gpu/device.h"
 #include "gpu/field_passes.h"
+#include "shared/text.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -72,7 +73,7 @@ bool needs_refused_pass(const FieldSetup &p_setup) {
 
 String find_obstacle(const FieldSetup &p_setup) {
 	if (const std::string lack = fit_device(device_limits(), p_setup).lack; !lack.empty()) {
-		return String::utf8(lack.c_str());
+		return text_of(lack);
 	}
 	const char *pass = find_refused(passes_of(p_setup));
 	return pass == nullptr ? String() : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);

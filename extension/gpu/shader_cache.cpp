@@ -3,6 +3,7 @@
 
 #include "core/base/shader_file.h"
 #include "gpu/device.h"
+#include "shared/text.h"
 #include "version.gen.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
@@ -101,7 +102,7 @@ PackedByteArray ShaderCache::read(std::span<const uint32_t> p_spirv) {
 		return PackedByteArray();
 	}
 	const std::string key = key_of(p_spirv);
-	return read_file(String((_folder + OUR_FOLDER + "/" + shader_file_name(key)).c_str()), key);
+	return read_file(text_of(_folder + OUR_FOLDER + "/" + shader_file_name(key)), key);
 }
 
 void ShaderCache::write(std::span<const uint32_t> p_spirv, const PackedByteArray &p_shader) {
@@ -110,7 +111,7 @@ void ShaderCache::write(std::span<const uint32_t> p_spirv, const PackedByteArray
 	}
 	const std::string key = key_of(p_spirv);
 	const std::vector<uint8_t> bytes = write_shader_file(key, { p_shader.ptr(), size_t(p_shader.size()) });
-	const String path((_folder + OUR_FOLDER + "/" + shader_file_name(key)).c_str());
+	const String path = text_of(_folder + OUR_FOLDER + "/" + shader_file_name(key));
 	if (!bytes.empty() && make_folder() && write_file(path, bytes)) {
 		remove_surplus();
 	}
@@ -119,7 +120,7 @@ void ShaderCache::write(std::span<const uint32_t> p_spirv, const PackedByteArray
 // Creates one level at a time, since make_dir_recursive() reports an error for a folder that cannot be made.
 bool ShaderCache::make_folder() const {
 	for (const std::string &folder : { _folder, _folder + OUR_FOLDER }) {
-		const String path(folder.c_str());
+		const String path = text_of(folder);
 		if (!DirAccess::dir_exists_absolute(path) && DirAccess::make_dir_absolute(path) != OK && !DirAccess::dir_exists_absolute(path)) {
 			return false;
 		}
@@ -128,7 +129,7 @@ bool ShaderCache::make_folder() const {
 }
 
 void ShaderCache::remove_surplus() const {
-	const String folder((_folder + OUR_FOLDER + "/").c_str());
+	const String folder = text_of(_folder + OUR_FOLDER + "/");
 	std::vector<KeptFile> files;
 	for (const String &name : DirAccess::get_files_at(folder)) {
 		if (is_shader_file_name(to_text(name))) {
@@ -136,7 +137,7 @@ void ShaderCache::remove_surplus() const {
 		}
 	}
 	for (const std::string &name : surplus_files(std::move(files), SHADER_FILES_MOST)) {
-		DirAccess::remove_absolute(folder + String(name.c_str()));
+		DirAccess::remove_absolute(folder + text_of(name));
 	}
 }
 

@@ -5,6 +5,7 @@
 #include "core/field/grass_at.h"
 #include "field/field_places.h"
 #include "shared/convert.h"
+#include "shared/text.h"
 
 #include <cmath>
 
@@ -56,7 +57,7 @@ struct Words {
 
 Words words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller &r_filler) {
 	const auto limits = [&](FillParamId p_min, FillParamId p_max, const char *p_what) {
-		const String unit = String::utf8(FILL_PARAMS[p_min].unit);
+		const String unit = unit_of(FILL_PARAMS[p_min]);
 		return vformat("%s of %s %s (`%s` %s, `%s` %s)", p_what, rounded(p_cause.value, 1), unit, FILL_PARAMS[p_min].name,
 				rounded(p_rule.get(p_min), 1), FILL_PARAMS[p_max].name, rounded(p_rule.get(p_max), 1));
 	};

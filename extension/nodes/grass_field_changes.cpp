@@ -141,9 +141,8 @@ void GrassField::end_preview() {
 
 void GrassField::update_map() {
 	if (!_standing.update_map()) {
-		WARN_PRINT_ONCE(vformat("%s: `map` has more painted chunks under the field than the field can show (%d, about 8 km\u00b2). The "
-								"rest stays bare. Use "
-								"several smaller fields.",
+		WARN_PRINT_ONCE(vformat(String::utf8("%s: `map` has more painted chunks under the field than the field can show (%d, about "
+											 "8 km\u00b2). The rest stays bare. Use several smaller fields."),
 				label(), GRASS_MAX_LAYERS));
 	}
 }

@@ -9,6 +9,7 @@
 #include "shared/convert.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
+#include "shared/text.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -90,7 +91,7 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 	PaintMap now;
 	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), now, get_read_limits());
 	if (!reason.empty()) {
-		return String(reason.c_str());
+		return text_of(reason);
 	}
 	replace_by(std::move(now));
 	return String();
@@ -196,7 +197,7 @@ bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 	if (!write([&] { applied = grass::apply_changes(bytes, engine_codec(), _map, limits); })) {
 		return false;
 	}
-	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), String(applied.reason.c_str())));
+	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), text_of(applied.reason)));
 	tell(applied.changed, applied.has_base_changed);
 	return true;
 }

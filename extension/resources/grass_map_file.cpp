@@ -4,6 +4,7 @@
 #include "resources/grass_map.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
+#include "shared/text.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>
@@ -108,7 +109,7 @@ int64_t GrassMap::save_to_file(const String &p_path) const {
 	if (bytes > limits.map_bytes) {
 		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, but a map that is read may take at most %s. It is saved, but it cannot "
 						   "be loaded until that limit is raised%s.",
-				p_path, megabytes(bytes).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
+				p_path, text_of(megabytes(bytes)), text_of(megabytes(limits.map_bytes)), text_of(limits.map_hint)));
 	}
 	return write_map_file(get_data(), p_path);
 }

@@ -5,6 +5,7 @@
 #include "resources/grass_map.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
+#include "shared/text.h"
 
 #include <godot_cpp/variant/array.hpp>
 
@@ -21,7 +22,7 @@ Dictionary GrassMap::merge(const Ref<GrassMap> &p_base, const Ref<GrassMap> &p_t
 	if (!write([&] { merge = merge_maps(base, theirs, _map, p_prefers_theirs, limits); })) {
 		return {};
 	}
-	ERR_FAIL_COND_V_MSG(!merge.reason.empty(), Dictionary(), vformat("%s: the merged map %s.", label(), merge.reason.c_str()));
+	ERR_FAIL_COND_V_MSG(!merge.reason.empty(), Dictionary(), vformat("%s: the merged map %s.", label(), text_of(merge.reason)));
 	Array conflicts;
 	for (const MergeConflict &conflict : merge.conflicts) {
 		Dictionary entry;

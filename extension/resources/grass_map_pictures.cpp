@@ -6,6 +6,7 @@
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
+#include "shared/text.h"
 
 #include <godot_cpp/classes/file_access.hpp>
 
@@ -95,8 +96,8 @@ PictureProblem GrassMap::find_rect(Channel p_channel, const Rect2 &p_region, Tex
 	return bytes <= limits.map_bytes
 			? PictureProblem()
 			: refuse(vformat("a picture of %d x %d texels would take %s of memory, but it may take at most %s%s. Use smaller regions.",
-							 r_rect.width, r_rect.depth, megabytes(bytes).c_str(), megabytes(limits.map_bytes).c_str(),
-							 limits.map_hint.c_str()),
+							 r_rect.width, r_rect.depth, text_of(megabytes(bytes)), text_of(megabytes(limits.map_bytes)),
+							 text_of(limits.map_hint)),
 					  ERR_OUT_OF_MEMORY);
 }
 
@@ -155,7 +156,7 @@ PictureProblem GrassMap::lay_picture(Channel p_channel, const Ref<Image> &p_imag
 		}
 	}
 	if (!refusal.is_empty() || !laid.reason.empty()) {
-		return refuse(refusal.is_empty() ? vformat("the picture %s", laid.reason.c_str()) : refusal, ERR_INVALID_DATA);
+		return refuse(refusal.is_empty() ? vformat("the picture %s", text_of(laid.reason)) : refusal, ERR_INVALID_DATA);
 	}
 	if (laid.clamped > 0) {
 		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label(),
@@ -207,7 +208,7 @@ PictureProblem GrassMap::read_picture(Channel p_channel, const String &p_path, c
 		return refuse("the file is neither a PNG nor an EXR. Save the picture as one of them.", ERR_FILE_UNRECOGNIZED);
 	}
 	if (!header.reason.empty()) {
-		return refuse(vformat("the picture %s", header.reason.c_str()), ERR_INVALID_DATA);
+		return refuse(vformat("the picture %s", text_of(header.reason)), ERR_INVALID_DATA);
 	}
 	if (header.width > 0) { // nothing larger is unpacked
 		PictureProblem problem = compare_size(info_of(MapChannel(p_channel)).name, rect, header.width, header.height);

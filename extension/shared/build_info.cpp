@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shared/build_info.h"
 
+#include "shared/text.h"
+
 #include "version.gen.h"
 
 #include <godot_cpp/classes/os.hpp>
@@ -37,7 +39,7 @@ String get_device() {
 
 String get_driver() {
 	static const std::string driver = read_driver(); // not a String, since the engine's memory must not outlive the engine
-	return String::utf8(driver.c_str());
+	return text_of(driver);
 }
 
 } // namespace grass

@@ -13,12 +13,12 @@ namespace grass {
 
 PropertyInfo property_of(const Tunable &p_tunable) {
 	if (p_tunable.is_whole) {
-		const String hint = range_hint(int64_t(p_tunable.minimum), int64_t(p_tunable.maximum), p_tunable.unit);
+		const String hint = range_hint(int64_t(p_tunable.minimum), int64_t(p_tunable.maximum), unit_of(p_tunable));
 		return PropertyInfo(Variant::INT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
 	}
 	String hint = vformat("%s,%s,%s", p_tunable.minimum, p_tunable.maximum, p_tunable.step);
-	if (p_tunable.unit[0] != '\0') {
-		hint += vformat(",suffix:%s", String::utf8(p_tunable.unit));
+	if (!unit_of(p_tunable).is_empty()) {
+		hint += vformat(",suffix:%s", unit_of(p_tunable));
 	}
 	return PropertyInfo(Variant::FLOAT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
 }
@@ -36,16 +36,16 @@ Variant property_value(const Tunable &p_tunable, double p_value) {
 double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
 	const double value = p_tunable.clamp(p_value);
 	if (value != p_tunable.whole(p_value)) {
-		const String unit = String::utf8(p_tunable.unit);
+		const String unit = unit_of(p_tunable);
 		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s%s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
 				p_tunable.maximum, unit.is_empty() ? unit : " " + unit, value));
 	}
 	return value;
 }
 
-String range_hint(int64_t p_min, int64_t p_max, const char *p_unit) {
+String range_hint(int64_t p_min, int64_t p_max, const String &p_unit) {
 	const String range = vformat("%d,%d,1", p_min, p_max);
-	return p_unit[0] == '\0' ? range : range + vformat(",suffix:%s", p_unit);
+	return p_unit.is_empty() ? range : range + vformat(",suffix:%s", p_unit);
 }
 
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const String &p_owner) {

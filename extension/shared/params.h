@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/tunable.h"
+#include "shared/text.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/property_info.hpp>
@@ -24,7 +25,7 @@ godot::Variant property_value(const Tunable &p_tunable, double p_value);
 double checked(const Tunable &p_tunable, double p_value, const godot::String &p_owner);
 
 // Returns the inspector's hint for a whole number within limits.
-godot::String range_hint(int64_t p_min, int64_t p_max, const char *p_unit = "");
+godot::String range_hint(int64_t p_min, int64_t p_max, const godot::String &p_unit = godot::String());
 // Returns the nearest whole number within limits, and warns as checked() does.
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const godot::String &p_owner);
 

@@ -6,6 +6,7 @@
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
+#include "shared/text.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>
@@ -105,7 +106,7 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	if (!reason.empty()) {
 		ERR_PRINT(vformat("%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot is used as if it had no file. The file "
 						  "stays as it is, and is renamed to '%s.unread' once the plot is changed.",
-				_folders.label, p_path, String(reason.c_str()), p_path.get_file()));
+				_folders.label, p_path, text_of(reason), p_path.get_file()));
 	}
 	std::lock_guard lock(_mutex);
 	_statistics.read += reason.empty() ? 1 : 0;

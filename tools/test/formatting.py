@@ -17,7 +17,7 @@ from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
-from tools.test import waits
+from tools.test import encodings, waits
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
@@ -127,7 +127,7 @@ def layer(only, tally):
 	"""The layer `format`: a test for each kind of source, and for what no source may do. Returns `tally`."""
 	ensure()
 	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS if kind != "pages"}
-	for name, wrong in {**checks, "lint": lint, "waits": waits.forbidden}.items():
+	for name, wrong in {**checks, "lint": lint, "encodings": encodings.check, "waits": waits.forbidden}.items():
 		if only in f"format/{name}":
 			found = wrong()
 			for text in found:
