@@ -21,6 +21,7 @@ namespace grass {
 namespace {
 
 constexpr char EXTENSION[] = "grassmap";
+constexpr int MOST_LINKS = 32; // from one file to the next; as many as systems follow
 
 Ref<GrassMapLoader> loader;
 Ref<GrassMapSaver> saver;
@@ -42,6 +43,24 @@ bool unpack(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes) {
 Error fail(Error p_error, const String &p_message) {
 	ERR_PRINT(p_message);
 	return p_error;
+}
+
+// Returns the file that links lead to, which is to be replaced, not the link. Empty: they lead round in a circle.
+String behind_links(const String &p_path) {
+	String path = p_path;
+	for (int i = 0; i < MOST_LINKS; i++) {
+		const String folder = path.get_base_dir();
+		const Ref<DirAccess> directory = DirAccess::open(folder);
+		if (directory.is_null() || !directory->is_link(path.get_file())) {
+			return path;
+		}
+		const String target = directory->read_link(path.get_file());
+		if (target.is_empty() || target == path) { // what Windows shows like a link: a file that a cloud holds
+			return path;
+		}
+		path = target.is_absolute_path() ? target : folder.path_join(target);
+	}
+	return String();
 }
 
 } // namespace
@@ -117,7 +136,12 @@ int64_t GrassMap::save_to_file(const String &p_path) const {
 Error write_map_file(const PackedByteArray &p_data, const String &p_path, const String &p_what) {
 	static std::mutex mutex; // two threads may write the same file
 	std::lock_guard lock(mutex);
-	const String unfinished = p_path + String(".tmp");
+	const String path = behind_links(p_path);
+	if (path.is_empty()) {
+		return fail(ERR_FILE_BAD_PATH,
+				vformat("Cannot save %s '%s': its links lead to each other, not to a file. Remove them.", p_what, p_path));
+	}
+	const String unfinished = path + String(".tmp");
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
 	if (file.is_null()) {
 		return fail(FileAccess::get_open_error(),
@@ -131,7 +155,7 @@ Error write_map_file(const PackedByteArray &p_data, const String &p_path, const 
 		return fail(ERR_FILE_CANT_WRITE,
 				vformat("Cannot save %s '%s': writing failed. Check whether the disk is full. The old file is unchanged.", p_what, p_path));
 	}
-	const Error renamed = DirAccess::rename_absolute(unfinished, p_path);
+	const Error renamed = DirAccess::rename_absolute(unfinished, path);
 	if (renamed != OK) {
 		DirAccess::remove_absolute(unfinished);
 		return fail(renamed, vformat("Cannot save %s '%s': the old file cannot be replaced. It is unchanged.", p_what, p_path));

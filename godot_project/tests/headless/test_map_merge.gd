@@ -114,6 +114,49 @@ func test_the_tool_merges_files_and_its_exit_code_tells() -> void:
 	assert_eq(run_tool(files.slice(1))[0], 2, "a file is missing")
 
 
+func test_only_the_base_may_be_empty() -> void:
+	var mine := painted(GrassMap.new(), GrassBrush.TOOL_PAINT, 0.0)
+	var files := [file("base", mine), file("mine", mine), file("theirs", mine)]
+	for damaged: String in ["mine", "theirs"]:
+		for length: int in [0, 1, 4, mine.data.size() / 2, mine.data.size() - 1]:
+			file("mine", mine)
+			file("theirs", mine)
+			var left := mine.data.slice(0, length)
+			FileAccess.open(file(damaged), FileAccess.WRITE).store_buffer(left)
+			var result := run_tool(files)
+			assert_eq(result[0], 2, "%s with %d bytes: %s" % [damaged, length, result[1]])
+			assert_true(damaged in result[1], "names the file: %s" % result[1])
+			assert_eq(FileAccess.get_file_as_bytes(file("mine")), left if damaged == "mine" else mine.data, "nothing was written")
+	file("mine", mine)
+	file("theirs", mine)
+	FileAccess.open(file("base"), FileAccess.WRITE).close()
+	var added := run_tool(files)
+	assert_eq(added[0], 0, "both have added the same map: %s" % added[1])
+	assert_eq(GrassMap.load_from_file(file("mine")).data, mine.data)
+
+
+## Version control and shared disks keep maps behind links.
+func test_a_map_behind_a_link_is_written_where_it_is() -> void:
+	var first := painted(GrassMap.new(), GrassBrush.TOOL_PAINT, 0.0)
+	var second := painted(first, GrassBrush.TOOL_TINT, 0.0)
+	DirAccess.make_dir_absolute(FOLDER.path_join("inner"))
+	var folder := DirAccess.open(FOLDER)
+	for target: String in ["inner/map", file("inner/map")]:  # beside the link, and from the root
+		file("inner/map", first)
+		assert_eq(folder.create_link(target, "link"), OK)
+		assert_eq(folder.create_link("link", "second_link"), OK)
+		assert_eq(second.save_to_file(FOLDER.path_join("second_link")), OK)
+		assert_true(folder.is_link("link") and folder.is_link("second_link"), "both are links as before")
+		assert_eq(GrassMap.load_from_file(file("inner/map")).data, second.data)
+		assert_eq(folder.get_files_at(FOLDER.path_join("inner")), PackedStringArray(["map"]), "nothing is left beside it")
+		folder.remove("link")
+		folder.remove("second_link")
+	assert_eq(folder.create_link("there", "back"), OK)
+	assert_eq(folder.create_link("back", "there"), OK)
+	expect_error("its links lead to each other")
+	assert_ne(first.save_to_file(FOLDER.path_join("back")), OK)
+
+
 ## Runs the lines by which the guide configures git, with this engine and this project.
 func configure_git() -> void:
 	var project := ProjectSettings.globalize_path("res://")

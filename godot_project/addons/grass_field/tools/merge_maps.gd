@@ -31,7 +31,7 @@ func _run(arguments: PackedStringArray) -> int:
 		return _refuse("expected BASE MINE THEIRS [NAME], got %d files" % files.size())
 	var maps: Array[GrassMap] = []
 	for file in files.slice(0, 3):
-		maps.append(_read(_place_of(file)))
+		maps.append(_read(_place_of(file), maps.is_empty()))
 		if not maps[-1]:
 			return FAILED
 	var report := maps[1].merge(maps[0], maps[2], prefer_theirs)
@@ -51,9 +51,9 @@ func _place_of(file: String) -> String:
 	return from_shell if file.is_relative_path() and DirAccess.dir_exists_absolute(from_shell.get_base_dir()) else file
 
 
-## An empty file is an empty map: git's base of a map that both have added.
-func _read(path: String) -> GrassMap:
-	if FileAccess.file_exists(path) and FileAccess.get_file_as_bytes(path).is_empty():
+## Git's base of a map that both have added is an empty file. Any other empty file is damaged: a full disk, a failed checkout.
+func _read(path: String, is_base: bool) -> GrassMap:
+	if is_base and FileAccess.file_exists(path) and FileAccess.get_file_as_bytes(path).is_empty():
 		return GrassMap.new()
 	return GrassMap.load_from_file(path)
 
