@@ -3,6 +3,23 @@
 extends "res://tests/field_case.gd"
 
 const Presets := preload("res://demo/presets.gd")
+# Levels of users refer to presets by these. They never change.
+const IDS := {
+	barley = "uid://ctv83qyy1tdgy",
+	clover = "uid://cfwg50s07tjm0",
+	daisy = "uid://dxyyncbqaylc4",
+	fern = "uid://0fguqnufxq6r",
+	golf_green = "uid://c02x5oq1f2toi",
+	hay_meadow = "uid://pxa1p4x1chkh",
+	lawn = "uid://bodno4pdd6c7x",
+	meadow = "uid://ch2wvic3j4hlw",
+	ox_eye_daisy = "uid://s5luta0ayr3c",
+	reed = "uid://bxq36mtk7skf5",
+	small_shrub = "uid://dtxqp5wtpfg1x",
+	tall_dry_grass = "uid://caw7mvpyn3pmy",
+	tundra = "uid://lwkq1sbslvjr",
+	wheat = "uid://5in02hu1harp",
+}
 
 
 func names() -> PackedStringArray:
@@ -11,6 +28,13 @@ func names() -> PackedStringArray:
 		if file.get_extension() == "tres":
 			found.append(file.get_basename())
 	return found
+
+
+func test_ids_of_presets_stay() -> void:
+	assert_eq(names().size(), IDS.size())
+	for name in names():
+		var id := ResourceLoader.get_resource_uid(Presets.FOLDER + name + ".tres")
+		assert_eq(ResourceUID.id_to_text(id), IDS.get(name, "none is listed here"), name)
 
 
 func test_each_preset_is_shown_and_none_is_the_same_as_another() -> void:
