@@ -57,7 +57,8 @@ std::vector<LoadedPlot> WorldPlots::find_loaded() const {
 	for (const auto &[key, plot] : _plots) {
 		const GrassField *field = field_of(plot);
 		const int64_t tiles = field != nullptr ? field->get_pool_tiles() : 0;
-		loaded.push_back({ key, rest_of(plot.memory), pool_of(plot.memory, tiles), tiles });
+		const size_t unmeasured = size_t(tiles) * size_t(_pool_tile.value_or(0)); // or measured before its pool was made larger
+		loaded.push_back({ key, rest_of(plot.memory), std::max(pool_of(plot.memory, tiles), unmeasured), tiles });
 	}
 	return loaded;
 }

@@ -51,6 +51,23 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 	assert_true(world.get_field_at(eye.position) != null, "and elsewhere")
 
 
+## Plots that have just come, and are not measured yet, count with the pools that they got.
+func test_all_plots_around_bodies_get_a_pool_that_leaves_room_for_the_others() -> void:
+	var world := add_world({plot_size = 64.0, camera_radius = 20.0, plot_scene = pattern({pool_tiles = 4096}), memory_budget = 256.0})
+	for at: Vector3 in [Vector3(20, 0.3, 20), Vector3(-20, 0.3, 20)]:
+		add_held_body(ball(0.3), at)
+	for i in 120:
+		for child in get_children():
+			if child is AnimatableBody3D:
+				child.position.x += 0.02 if i % 2 == 0 else -0.02
+		await frames(1)
+		OS.delay_msec(2)
+	await loaded(world)
+	var pools := world.get_fields().map(func(field: GrassField) -> int: return field.pool_tiles)
+	assert_eq(world.get_fields().size(), 4)
+	assert_less(pools.max(), 4096, str(pools))
+
+
 func test_other_species_in_one_plot() -> void:
 	var many: Array[GrassSpecies] = []
 	for i in 8:
