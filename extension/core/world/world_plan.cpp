@@ -110,8 +110,10 @@ void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
 	const LoadedPlot *plot = loaded(p_key);
 	const int64_t has = std::clamp(plot != nullptr ? plot->pool_tiles : 0, pools.quiet, pools.busy);
 	const auto more = [&](int64_t p_tiles) { return size_t(std::max<int64_t>(p_tiles - has, 0)) * pools.tile_bytes; };
+	const auto own = [&](int64_t p_tiles) { return size_t(p_tiles - pools.quiet) * pools.tile_bytes; };
+	const size_t most = (p_left + own(has)) / 2; // the same when the plan that gave it the pool is followed
 	int64_t tiles = pools.busy;
-	while (tiles > has && more(tiles) > p_left / 2) {
+	while (tiles > has && own(tiles) > most) {
 		tiles /= 2;
 	}
 	_plan.pools[p_key] = std::max(tiles, has);
