@@ -21,6 +21,7 @@ struct PoolScene {
 	std::vector<GrassSlot> slots, followers;
 	std::vector<GrassCollider> colliders{ 1 };
 	std::vector<uint32_t> list{ 0 };
+	std::span<const SlotGrowth> growth; // of the steps to come
 	GrassStep step_record;
 	int time = 0;
 
@@ -44,6 +45,7 @@ struct PoolScene {
 		time++;
 		StepInput input{ slots, colliders, list, {}, step_record };
 		input.followers = followers;
+		input.growth = growth;
 		pool.step(input, p_parallel_for);
 		for (GrassSlot &slot : slots) {
 			slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);

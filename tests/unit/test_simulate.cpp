@@ -178,3 +178,37 @@ TEST_CASE_TEMPLATE("A tile far from the field's middle moves as one near it", M,
 	CHECK(bent_near > 10);
 	CHECK(std::abs(bent_near - bent_far) < 20);
 }
+
+TEST_CASE("A stroke over all awake tiles grows each as its own record says, and each record is looked at once") {
+	constexpr int SLOTS = 256;
+	PoolScene scene(SLOTS);
+	for (GrassSlot &slot : scene.slots) {
+		slot.list.x = 0;
+		slot.list.z = 0;
+	}
+	std::vector<SlotGrowth> growth;
+	const auto grow = [&](int p_first, int p_every) {
+		growth.clear();
+		for (int slot = p_first; slot < SLOTS; slot += p_every) {
+			SlotGrowth grown;
+			grown.slot = slot;
+			grown.blades.fill({ 0.5f + float(slot) / SLOTS, 0.0f, 0.0f, 0.0f });
+			growth.push_back(grown);
+		}
+		scene.growth = growth;
+		const int64_t before = scene.pool.get_growth_looks();
+		scene.step();
+		return scene.pool.get_growth_looks() - before;
+	};
+	const auto length_of = [&](int p_slot) { return scene.pool.get_knots(p_slot, 0)[1].norm(); };
+	CHECK(grow(0, 1) <= 2 * SLOTS);
+	const float unit = length_of(0) / 0.5f;
+	for (int slot = 0; slot < SLOTS; slot++) {
+		CHECK(length_of(slot) == doctest::Approx(unit * (0.5f + float(slot) / SLOTS)));
+	}
+	CHECK(grow(1, 2) <= 2 * SLOTS);
+	CHECK(grow(SLOTS, 1) <= 2 * SLOTS); // the map did not change
+	for (int slot = 0; slot < SLOTS; slot++) {
+		CHECK(length_of(slot) == doctest::Approx(unit * (0.5f + float(slot) / SLOTS)));
+	}
+}

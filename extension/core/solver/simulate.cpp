@@ -103,8 +103,10 @@ void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 }
 
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
-	std::vector<const GrassSlot *> awake;
+	std::vector<AwakeSlot> awake;
+	awake.reserve(p_input.slots.size());
 	int64_t blades = 0, knots = 0;
+	auto growth = p_input.growth.begin();
 	for (const GrassSlot &slot : p_input.slots) {
 		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
 				uint64_t(slot.list.y) + slot.list.z <= p_input.collider_list.size();
@@ -124,9 +126,13 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 		state->is_far = slot.list.w & GRASS_SLOT_FAR;
 		blades += BLADES - state->left_out;
 		knots += int64_t(BLADES - state->left_out) * free_knots(state->is_halved);
-		awake.push_back(&slot);
+		for (; growth != p_input.growth.end() && growth->slot < slot.tile.w; ++growth) { // both ascend by slot
+			_growth_looks++;
+		}
+		_growth_looks++;
+		awake.push_back({ slot, growth != p_input.growth.end() && growth->slot == slot.tile.w ? &*growth : nullptr });
 	}
-	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_step); });
+	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(awake[size_t(p_index)], p_input, p_step); });
 	p_parallel_for(int(p_input.followers.size()), [&](int p_index) { join(p_input.followers[size_t(p_index)]); });
 	_simulated_blades += blades;
 	_simulated_knots += knots;
@@ -201,36 +207,35 @@ void CpuPool::wake(const GrassSlot &p_slot) {
 	std::memset(state.calm, 0, sizeof(state.calm));
 }
 
-void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileStep p_step) {
-	const auto growth = std::find_if(
-			p_input.growth.begin(), p_input.growth.end(), [&](const SlotGrowth &p_growth) { return p_growth.slot == p_slot.tile.w; });
-	const bool is_fresh = p_slot.list.w & GRASS_SLOT_FRESH;
-	if (is_fresh || growth != p_input.growth.end()) {
-		find_rest(p_slot, p_input.step, growth == p_input.growth.end() ? nullptr : &*growth);
+void CpuPool::step_slot(const AwakeSlot &p_awake, const StepInput &p_input, TileStep p_step) {
+	const GrassSlot &record = p_awake.record;
+	const bool is_fresh = record.list.w & GRASS_SLOT_FRESH;
+	if (is_fresh || p_awake.growth != nullptr) {
+		find_rest(record, p_input.step, p_awake.growth);
 	}
 	if (is_fresh) {
-		wake(p_slot);
-	} else if (growth != p_input.growth.end()) {
-		keep_shapes(p_slot);
+		wake(record);
+	} else if (p_awake.growth != nullptr) {
+		keep_shapes(record);
 	}
 	std::vector<TileCollider> colliders;
-	colliders.reserve(p_slot.list.z);
-	for (const uint32_t index : p_input.collider_list.subspan(p_slot.list.y, p_slot.list.z)) {
+	colliders.reserve(record.list.z);
+	for (const uint32_t index : p_input.collider_list.subspan(record.list.y, record.list.z)) {
 		TileCollider collider;
 		if (index < p_input.colliders.size() &&
 				make_tile_collider(
-						p_input.colliders[index], p_slot.tile.x, p_slot.tile.y, p_input.step.field.x, p_input.planes, collider)) {
+						p_input.colliders[index], record.tile.x, record.tile.y, p_input.step.field.x, p_input.planes, collider)) {
 			colliders.push_back(collider);
 		}
 	}
 	AirLoad air;
-	TileState &state = *_slots[size_t(p_slot.tile.w)];
-	state.air = p_slot.list.w >> GRASS_SLOT_FORCES != 0 ? &air : nullptr;
+	TileState &state = *_slots[size_t(record.tile.w)];
+	state.air = record.list.w >> GRASS_SLOT_FORCES != 0 ? &air : nullptr;
 	if (state.air != nullptr) {
-		find_air_load(state, p_slot, p_input, air);
+		find_air_load(state, record, p_input, air);
 	}
-	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
-	const size_t slot = size_t(p_slot.tile.w);
+	const float blend = record.list.w & GRASS_SLOT_SETTLING ? record.blend.x : 0.0f;
+	const size_t slot = size_t(record.tile.w);
 	const std::span<const GrassStep> steps =
 			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
 	_energy[slot] = p_step(state, steps, blend, colliders);

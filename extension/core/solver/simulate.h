@@ -54,6 +54,7 @@ public:
 
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
 	int64_t get_simulated_knots() const { return _simulated_knots; } // likewise: the free ones of their chains
+	int64_t get_growth_looks() const { return _growth_looks; } // likewise: at records of StepInput::growth, to find those of the slots
 	int64_t get_memory_usage() const; // bytes
 	static int64_t find_slot_bytes(); // of a slot that is used
 
@@ -61,16 +62,21 @@ public:
 	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);
 
 private:
+	struct AwakeSlot {
+		const GrassSlot &record;
+		const SlotGrowth *growth; // null: its blades grow as before
+	};
+
 	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
 	void wake(const GrassSlot &p_slot);
 	void keep_shapes(const GrassSlot &p_slot);
-	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileStep p_step);
+	void step_slot(const AwakeSlot &p_awake, const StepInput &p_input, TileStep p_step);
 
 	std::shared_ptr<const Patch> _patch;
 	std::vector<std::unique_ptr<TileState>> _slots;
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
-	int64_t _simulated_blades = 0, _simulated_knots = 0;
+	int64_t _simulated_blades = 0, _simulated_knots = 0, _growth_looks = 0;
 };
 
 } // namespace grass

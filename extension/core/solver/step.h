@@ -41,7 +41,8 @@ struct StepInput {
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, and they increase.
-	std::span<const SlotGrowth> growth = {}; // For fields with a map or species: every fresh slot, and those below which the map changed.
+	std::span<const SlotGrowth>
+			growth = {}; // For fields with a map or species, ascending by slot: every fresh slot, and those below which the map changed.
 	std::span<const GrassStep> species = {}; // For fields with species: `step` for each of them.
 	std::span<const GrassForce> forces = {}; // The bits of GrassSlot.list.w from GRASS_SLOT_FORCES on select those that move a tile.
 	std::span<const GrassSlot> followers = {}; // After the step, blades of these tiles follow the simulated ones: records for join().
