@@ -121,7 +121,8 @@ Words words_of(const BareCause &p_cause, const PaintMap &p_map, const FillRule *
 	}
 	Words words = words_of(p_cause.rule, *p_rule, r_filler);
 	const String left = p_cause.rule.share > 0.0 ? vformat("%d %%", percent(p_cause.rule.share)) : String("none");
-	words.text = vformat("`fill_rule` leaves %s because of %s", left, words.text);
+	words.text = p_rule->only_at_obstacles ? vformat("%s leaves %s", words.text, left)
+										   : vformat("`fill_rule` leaves %s because of %s", left, words.text);
 	return words;
 }
 

@@ -10,6 +10,7 @@
 
 #include <godot_cpp/core/object.hpp>
 
+#include <algorithm>
 #include <utility>
 
 using namespace godot;
@@ -27,6 +28,10 @@ constexpr int FRAMES_BETWEEN_LOOKS = 15;
 // Returns a number that changes with every node that rules follow automatically.
 uint64_t scene_revision() {
 	return GrassExclusion3D::get_nodes().get_revision() + GrassPath3D::get_nodes().get_revision();
+}
+
+bool has_scene_nodes() {
+	return !GrassExclusion3D::get_nodes().is_empty() || !GrassPath3D::get_nodes().is_empty();
 }
 
 FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
@@ -66,6 +71,7 @@ bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_c
 	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
 		const Ref<GrassMap> map = p_map; // NOLINT(performance-unnecessary-copy-initialization): a script may drop the field's own
 		FillResult result;
+		_frames_to_look = 0;
 		return change(map, result, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
 	}
 	return true;
@@ -76,7 +82,7 @@ void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
 	if (!p_live && _state.is_set() && editor_hooks.mark_edited != nullptr) {
 		editor_hooks.mark_edited(p_map); // from now on the filled grass is saved with the map
 	}
-	_state = LiveFill(); // without it the map keeps what was filled
+	forget_map(); // without the state the map keeps what was filled
 }
 
 bool FieldFiller::read_meshes(const Place &p_place) {
@@ -85,12 +91,38 @@ bool FieldFiller::read_meshes(const Place &p_place) {
 }
 
 std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
-	if (_rule.is_null() || !_node.is_inside_tree()) {
-		return {};
+	const bool is_filled = _rule.is_valid() || _state.is_set();
+	return is_filled && _node.is_inside_tree() ? read(p_place) : std::optional<Gathered>();
+}
+
+FieldFiller::Gathered FieldFiller::read(const Place &p_place) {
+	const bool has_rule = _rule.is_valid();
+	if (!has_rule && _no_rule.is_null()) {
+		_no_rule.instantiate();
+		_no_rule->set_group(GrassFillRule::GROUP_EXCLUSION, StringName());
 	}
-	Gathered gathered{ rule_for(**_rule, p_place), _gatherer.gather(**_rule, &_node, p_place.transform) };
+	GrassFillRule &rule = has_rule ? **_rule : **_no_rule;
+	Gathered gathered{ rule_for(rule, p_place), _gatherer.gather(rule, &_node, p_place.transform) };
 	gathered.sources.terrain = _terrain;
+	if (!has_rule) {
+		gathered.rule.params[FILL_DENSITY] = _base_density;
+		gathered.rule.only_at_obstacles = true;
+	}
 	return gathered;
+}
+
+bool FieldFiller::is_needed(const Place &p_place) {
+	if (!_is_live || _rule.is_valid()) {
+		return _is_live;
+	}
+	const bool may_have_come = _revision != scene_revision() || --_frames_to_look <= 0;
+	if (!has_scene_nodes() || !may_have_come) {
+		return false;
+	}
+	_revision = scene_revision();
+	_frames_to_look = FRAMES_BETWEEN_LOOKS;
+	return std::ranges::any_of(read(p_place).sources.obstacles,
+			[&p_place](const auto &p_obstacle) { return p_obstacle->reaches(p_place.region.min, p_place.region.max); });
 }
 
 Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
@@ -106,29 +138,30 @@ bool FieldFiller::look(const Place &p_place) {
 	if (!read_meshes(p_place)) {
 		return false;
 	}
-	if (const auto now = gather(p_place); now && maps == _maps) {
-		_state.set(now->rule, now->sources, p_place.region);
+	if (maps == _maps && _node.is_inside_tree()) {
+		const Gathered now = read(p_place);
+		_state.set(now.rule, now.sources, p_place.region);
 	}
 	return true;
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_once) {
+	_replacements = p_map->get_replacements();
+	_base_density = p_map->get_base_density();
 	if (!look(p_place)) {
 		return false;
 	}
 	if (!_state.is_set()) {
 		return true;
 	}
-	_replacements = p_map->get_replacements();
-	_base_density = p_map->get_base_density();
 	_has_finished = _state.get_waiting() == 0;
 	return !p_at_once || work(p_map, -1);
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldFiller::update(Ref<GrassMap> p_map, const Place &p_place) {
-	if (_rule.is_null() || !_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
+	if (!_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
 		return true;
 	}
 	const bool is_due = _has_changed || _revision != scene_revision() || --_frames_to_look <= 0;
@@ -152,6 +185,7 @@ void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &
 	_state.touch(p_map->get_map(), keys, is_replaced);
 	if (_base_density != p_map->get_base_density()) { // it is visible in chunks that contain nothing else
 		_base_density = p_map->get_base_density();
+		_has_changed = true; // without a rule it is what is filled by
 		_state.touch_all();
 	}
 }
@@ -179,6 +213,9 @@ double FieldFiller::fill(Ref<GrassMap> p_map, Ref<GrassFillRule> p_rule, const P
 
 void FieldFiller::warn(const Ref<GrassMap> &p_map, bool p_has_terrain, PackedStringArray &r_warnings) const {
 	if (_rule.is_null()) {
+		if (!_is_live && has_scene_nodes()) {
+			r_warnings.push_back("`fill_live` is off, so GrassExclusion3D and GrassPath3D do not change this field. Turn it on.");
+		}
 		return;
 	}
 	if (_rule->asks_textures() && !_terrain) {

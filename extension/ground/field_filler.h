@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keeps a map filled by a rule: spread over frames, and only where something changed.
+// Keeps a map filled by a rule, or without one clear of the scene's GrassExclusion3D and GrassPath3D: spread over frames, and only where
+// something changed.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -36,7 +37,9 @@ public:
 	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
 	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
 	bool is_live() const { return _is_live; }
-	bool is_active() const { return _rule.is_valid() && _is_live; } // fills a map
+	bool has_live_rule() const { return _rule.is_valid() && _is_live; }
+	// Returns whether a map has to be filled. Without a rule: once a node clears or plants some of p_place.
+	bool is_needed(const Place &p_place);
 	bool is_set() const { return _state.is_set(); } // has begun to fill
 	void rule_changed() {
 		_has_changed = true;
@@ -46,6 +49,7 @@ public:
 	void forget_map() {
 		_state = LiveFill();
 		_maps++;
+		_frames_to_look = 0;
 	}
 
 	// Reads the rule. p_at_once: fills the whole map by it.
@@ -64,7 +68,7 @@ public:
 
 	// Reads the meshes that the rule needs, which may be scripts. Must be called before gather().
 	[[nodiscard]] bool read_meshes(const Place &p_place);
-	// What the rule needs now; empty without a rule, and outside of the tree.
+	// What is filled by, and what it needs now; empty if the map is not filled, and outside of the tree.
 	struct Gathered {
 		FillRule rule;
 		FillSources sources;
@@ -78,11 +82,13 @@ public:
 
 private:
 	bool look(const Place &p_place);
+	Gathered read(const Place &p_place);
 	template <typename F> bool change(const godot::Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change);
 	bool work(const godot::Ref<GrassMap> &p_map, int p_chunks);
 
 	const godot::Node3D &_node; // the field
 	godot::Ref<GrassFillRule> _rule;
+	godot::Ref<GrassFillRule> _no_rule; // fills by the base density, and is nobody's: what it gathers are nodes that need no rule
 	bool _is_live = true;
 	LiveFill _state; // not set: nothing is filled yet
 	FillGatherer _gatherer;
@@ -93,7 +99,7 @@ private:
 	bool _has_finished = false; // since take_finished()
 	uint64_t _maps = 0; // calls of forget_map(), by which look() notices one
 	uint64_t _replacements = 0; // of the map's contents, as last seen
-	double _base_density = 0.0; // of the map, as last seen
+	double _base_density = 1.0; // of the map, as last seen
 	int _frames_to_look = 0;
 	int64_t _cells = 0; // number of texels on which rules have run
 };

@@ -98,7 +98,7 @@ void GrassField::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref
 // Returns whether no grass grows on it, and no rule will fill it.
 bool GrassField::is_map_bare() const {
 	const Ref<GrassMap> &map = _properties.map;
-	return map.is_valid() && map->is_readable() && !_filler.is_active() && map->get_base_density() == 0.0 &&
+	return map.is_valid() && map->is_readable() && !_filler.has_live_rule() && map->get_base_density() == 0.0 &&
 			!map->get_map().uses(MAP_DENSITY);
 }
 
@@ -179,7 +179,7 @@ FieldFiller::Place GrassField::fill_place() const {
 
 // Fills a field that enters the tree completely before its first frame; a field that is in the tree is filled gradually.
 bool GrassField::start_fill() {
-	if (!_filler.is_active() || _filler.is_set() || !is_inside_tree()) {
+	if (_filler.is_set() || !is_inside_tree() || !_filler.is_needed(fill_place())) {
 		return true;
 	}
 	if (_properties.map.is_null()) {

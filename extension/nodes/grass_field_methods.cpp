@@ -162,7 +162,7 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 	if (need_map("fill") == nullptr) {
 		return 0.0;
 	}
-	if (_filler.is_set()) {
+	if (_filler.has_live_rule()) {
 		WARN_PRINT(message("fill() was called while `fill_rule` is live: that rule will overwrite the result at its next change. Turn "
 						   "`fill_live` off."));
 	}

@@ -215,7 +215,7 @@ void GrassField::_validate_property(PropertyInfo &p_property) const {
 	const CharString utf8 = String(p_property.name).utf8();
 	const std::string_view name = utf8.get_data();
 	const bool has_no_rule = (name == "fill_now" && (_filler.is_live() || _filler.get_rule().is_null())) ||
-			(name == "fill_live" && _filler.get_rule().is_null());
+			(name == "fill_live" && _filler.is_live() && _filler.get_rule().is_null());
 	if (has_no_rule || has_no_effect(name)) {
 		p_property.usage = p_property.usage & ~uint32_t(PROPERTY_USAGE_EDITOR);
 	}

@@ -164,3 +164,52 @@ TEST_CASE("live_fill: a rule that forbids all leaves nothing along the border, w
 		CHECK(map.is_empty());
 	}
 }
+
+TEST_CASE("live_fill: without a rule only the places of obstacles change, and grass comes back where they were") {
+	Scene scene;
+	scene.map.set_base_density(0.5);
+	FillRule noise;
+	noise.params[FILL_DENSITY] = 0.25;
+	fill(scene.map, chunks_in({ { 64.0, 0.0 }, { 128.0, 64.0 } }), AREA, &noise, {}); // what GrassMap.fill() left, for good
+	scene.rule.params[FILL_DENSITY] = scene.map.get_base_density();
+	scene.rule.only_at_obstacles = true;
+	CHECK(scene.refill().cells == 0);
+	scene.sources.obstacles = { tree_at(32.0, 32.0), tree_at(80.0, 32.0) };
+	CHECK(scene.refill().cells == 2 * CHUNK);
+	CHECK(density_at(scene.map, 32.25, 32.25) == 0.0);
+	CHECK(density_at(scene.map, 80.25, 32.25) == 0.0);
+	CHECK(density_at(scene.map, 40.25, 32.25) == doctest::Approx(0.5).epsilon(0.01));
+	CHECK(density_at(scene.map, 90.25, 32.25) == doctest::Approx(0.25).epsilon(0.01));
+	scene.sources.obstacles = { tree_at(40.0, 32.0) };
+	scene.live.set(scene.rule, scene.sources, AREA);
+	scene.live.work(scene.map, 1); // in two portions
+	scene.live.set(scene.rule, scene.sources, AREA);
+	scene.live.work(scene.map, 1);
+	CHECK(scene.live.get_waiting() == 0);
+	CHECK(density_at(scene.map, 32.25, 32.25) == doctest::Approx(0.5).epsilon(0.01));
+	CHECK(density_at(scene.map, 80.25, 32.25) == doctest::Approx(0.5).epsilon(0.01)); // the base density: of the other nothing is known
+	CHECK(density_at(scene.map, 40.25, 32.25) == 0.0);
+	CHECK(density_at(scene.map, 90.25, 32.25) == doctest::Approx(0.25).epsilon(0.01));
+}
+
+TEST_CASE("live_fill: without a rule grass comes back below a solid once the ground is too low for it") {
+	Scene scene;
+	scene.map.set_base_density(1.0);
+	scene.rule.only_at_obstacles = true;
+	ColliderShape box;
+	box.type = GRASS_BOX;
+	box.size = { 4.0, 1.0, 4.0 };
+	scene.sources.obstacles = { std::make_shared<const FillObstacle>(
+			FillObstacle::solid(box, Eigen::Affine3d(Eigen::Translation3d(32.0, 0.5, 32.0)), 1.0)) };
+	scene.refill();
+	CHECK(density_at(scene.map, 32.25, 32.25) == 0.0);
+	for (int j = 0; j < 64; j++) {
+		for (int i = 0; i < 64; i++) {
+			scene.map.set_code(MAP_GROUND, 0, i, j, info_of(MAP_GROUND).code(-5.0));
+		}
+	}
+	const MapKey chunk{ 0, 0 };
+	scene.live.touch(scene.map, { &chunk, 1 }, false);
+	scene.live.work(scene.map, -1);
+	CHECK(density_at(scene.map, 32.25, 32.25) == 1.0);
+}

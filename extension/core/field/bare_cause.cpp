@@ -25,7 +25,8 @@ BareCause density_cause(const PaintMap &p_map, const FillRule *p_rule, const Fil
 		cause.kind = BareKind::PAINTED;
 	} else if (p_rule != nullptr) {
 		cause.rule = find_fill_cause(p_map, *p_rule, p_sources, p_at);
-		if (std::abs(hand.over(INFO.code(cause.rule.density)) - density) <= SAME) {
+		const bool is_rule = !p_rule->only_at_obstacles || cause.rule.condition == FillCondition::OBSTACLE;
+		if (is_rule && std::abs(hand.over(INFO.code(cause.rule.density)) - density) <= SAME) {
 			cause.kind = BareKind::RULE;
 		}
 	}

@@ -52,6 +52,11 @@ public:
 				(obstacle->is_planting() ? _planted : _obstacles).push_back(obstacle.get());
 			}
 		}
+		for (const std::shared_ptr<const FillObstacle> &obstacle : p_sources.gone) {
+			if (obstacle->reaches(low, high)) {
+				_gone.push_back(obstacle.get());
+			}
+		}
 		if (p_sources.has_mesh) {
 			_mesh_shares =
 					p_sources.mesh ? p_sources.mesh->get_shares(p_key) : std::vector<double>(size_t(DENSITY.side) * size_t(DENSITY.side));
@@ -93,9 +98,17 @@ private:
 	// p_texel: index in the chunk of this texel, or of the nearest one.
 	int32_t filled_code(int p_i, int p_j, size_t p_texel) {
 		const Eigen::Vector2d centre = centre_of(p_i, p_j);
+		if (_rule != nullptr && _rule->only_at_obstacles && !is_at_obstacle(centre)) {
+			return _density.code(0, p_i, p_j);
+		}
 		const int32_t filling =
 				_rule == nullptr ? _map.initial_code(MAP_DENSITY, 0) : DENSITY.code(std::max(ask(centre, p_texel), plant(centre)));
 		return HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) }.over(filling);
+	}
+
+	bool is_at_obstacle(const Eigen::Vector2d &p_at) const {
+		const auto changes = [&p_at](const FillObstacle *p_obstacle) { return p_obstacle->may_change(p_at); };
+		return std::ranges::any_of(_obstacles, changes) || std::ranges::any_of(_planted, changes) || std::ranges::any_of(_gone, changes);
 	}
 
 	// Where the area ends at the chunk's border, the texels that blend into it are in the next chunk, which is not filled itself.
@@ -157,7 +170,7 @@ private:
 	const FillRule *_rule;
 	const FillSources &_sources;
 	MapReader _ground, _normal, _density, _paint;
-	std::vector<const FillObstacle *> _obstacles, _planted;
+	std::vector<const FillObstacle *> _obstacles, _planted, _gone;
 	std::vector<double> _mesh_shares; // empty: the rule has no mesh
 	bool _asks_ground = false;
 };

@@ -15,6 +15,7 @@ namespace grass {
 // What a rule finds in the scene.
 struct FillSources {
 	std::vector<std::shared_ptr<const FillObstacle>> obstacles;
+	std::vector<std::shared_ptr<const FillObstacle>> gone; // FillRule::only_at_obstacles: those whose places are to be filled again
 	bool has_mesh = false; // whether a mesh says where grass grows; while it is not loaded yet, none grows
 	std::shared_ptr<const FillMesh> mesh;
 	std::shared_ptr<const TerrainIds> terrain; // textures of the terrain; null: no terrain reports them

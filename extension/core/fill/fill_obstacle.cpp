@@ -117,6 +117,12 @@ void FillObstacle::set_clearance(double p_distance, double p_fade) {
 	_fade = std::max(p_fade, 0.0);
 }
 
+// The height of the ground counts for the distance from solids and meshes only.
+bool FillObstacle::may_change(const Eigen::Vector2d &p_at) const {
+	const bool is_near = (p_at.array() >= get_min().array()).all() && (p_at.array() <= get_max().array()).all();
+	return is_near && (_kind == Kind::SOLID || _kind == Kind::MESH || get_share({ p_at, 0.0 }) < 1.0);
+}
+
 // The box around a winding path contains many squares that the path does not come near to.
 bool FillObstacle::reaches(const Eigen::Array2d &p_low, const Eigen::Array2d &p_high) const {
 	if (is_nowhere() || (get_min().array() > p_high).any() || (get_max().array() < p_low).any()) {

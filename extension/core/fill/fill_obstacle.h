@@ -37,6 +37,8 @@ public:
 	// Returns the share of the grass that is left: 0 within its distance .. 1. For an obstacle that plants, 1 minus this is the share that
 	// it plants.
 	double get_share(const FillPlace &p_place) const;
+	// Returns whether it changes the grass there with the ground at some height, or lies in the box around such places.
+	bool may_change(const Eigen::Vector2d &p_at) const;
 	// Returns the distance in metres, horizontal for all but solid shapes; 0 or less inside.
 	double get_distance(const FillPlace &p_place) const;
 	// The rectangle outside which it changes nothing; empty (min > max) if it affects no place.

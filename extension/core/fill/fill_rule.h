@@ -34,6 +34,8 @@ struct FillRule {
 
 	Eigen::Vector2d noise_origin = Eigen::Vector2d::Zero(); // the map's origin in the noise, metres
 	std::vector<uint8_t> texture_ids; // textures of the terrain on which grass grows; empty: all
+	// For fields without a rule: fills only where an obstacle changes the grass or has changed it, and leaves other places as they are.
+	bool only_at_obstacles = false;
 
 	bool operator==(const FillRule &) const = default;
 

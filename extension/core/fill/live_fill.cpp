@@ -16,27 +16,48 @@ void LiveFill::wait(const MapRegion &p_area) {
 	}
 }
 
+void LiveFill::wait(const FillObstacle &p_obstacle) {
+	if (!p_obstacle.is_nowhere()) {
+		wait({ p_obstacle.get_min(), p_obstacle.get_max() });
+	}
+}
+
+void LiveFill::touch_all() {
+	if (!_rule.only_at_obstacles) {
+		wait(_area);
+		return;
+	}
+	for (const std::shared_ptr<const FillObstacle> &obstacle : _sources.obstacles) {
+		wait(*obstacle);
+	}
+}
+
 void LiveFill::set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area) {
 	const bool is_all_new = !_is_set || !(p_rule == _rule) || p_sources.has_mesh != _sources.has_mesh || p_sources.mesh != _sources.mesh ||
 			!(p_area == _area) || (p_rule.asks_textures() && p_sources.terrain != _sources.terrain);
-	const FillSources before = std::move(_sources);
+	FillSources before = std::move(_sources);
 	_is_set = true;
 	_rule = p_rule;
 	_sources = p_sources;
 	_area = p_area;
-	if (is_all_new) {
+	if (is_all_new && !_rule.only_at_obstacles) {
 		_waiting.clear();
 		wait(_area);
 		return;
+	}
+	if (is_all_new) {
+		touch_all();
 	}
 	using Obstacles = std::set<std::shared_ptr<const FillObstacle>>;
 	const Obstacles old(before.obstacles.begin(), before.obstacles.end()), now(_sources.obstacles.begin(), _sources.obstacles.end());
 	std::vector<std::shared_ptr<const FillObstacle>> different;
 	std::set_symmetric_difference(old.begin(), old.end(), now.begin(), now.end(), std::back_inserter(different));
 	for (const std::shared_ptr<const FillObstacle> &obstacle : different) {
-		if (!obstacle->is_nowhere()) {
-			wait({ obstacle->get_min(), obstacle->get_max() });
-		}
+		wait(*obstacle);
+	}
+	if (_rule.only_at_obstacles) {
+		_sources.gone = std::move(before.gone);
+		std::ranges::copy_if(different, std::back_inserter(_sources.gone), [&old](const auto &p_one) { return old.contains(p_one); });
 	}
 }
 
@@ -70,7 +91,16 @@ FillResult LiveFill::work(PaintMap &r_map, int p_count, const ParallelFor &p_par
 		_waiting.erase(key);
 		_filled_on[key] = ground_of(r_map, key);
 	}
-	return fill(r_map, keys, _area, &_rule, _sources, p_parallel_for, FillRim::FILLED);
+	const FillResult result = fill(r_map, keys, _area, &_rule, _sources, p_parallel_for, FillRim::FILLED);
+	std::erase_if(_sources.gone, [this](const auto &p_obstacle) { return !is_waiting(*p_obstacle); });
+	return result;
+}
+
+bool LiveFill::is_waiting(const FillObstacle &p_obstacle) const {
+	return std::ranges::any_of(_waiting, [&p_obstacle](const MapKey &p_key) {
+		const MapRegion chunk = MapRegion::of_chunk(p_key);
+		return p_obstacle.reaches(chunk.min, chunk.max);
+	});
 }
 
 FillResult LiveFill::remove(PaintMap &r_map, const ParallelFor &p_parallel_for) {

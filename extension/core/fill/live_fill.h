@@ -15,7 +15,7 @@ public:
 	// Queues chunks that somebody else changed. p_replaced: anything in them may differ (a snapshot, a file). Otherwise only new ground
 	// counts, since filling respects paint by hand already.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
-	void touch_all() { wait(_area); }
+	void touch_all();
 	// Queues the chunks of a region where the terrain shows other textures.
 	void touch_textures(const MapRegion &p_region);
 	// Fills up to p_count of the waiting chunks; all of them if negative.
@@ -32,6 +32,8 @@ private:
 	static Ground ground_of(const PaintMap &p_map, const MapKey &p_key);
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height() || !_sources.obstacles.empty(); }
 	void wait(const MapRegion &p_area);
+	void wait(const FillObstacle &p_obstacle);
+	bool is_waiting(const FillObstacle &p_obstacle) const; // whether a place where it changes the grass is
 
 	bool _is_set = false;
 	FillRule _rule;

@@ -42,14 +42,14 @@ func grass_bone_colliders3d() -> void:
 
 
 func grass_exclusion3d() -> void:
-	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
+	var stage := await ran()
 	await frames(30)
 	assert_eq(stage.field.get_density_at(HERE), 0.0, "in the clearing")
 	assert_greater(stage.field.get_density_at(Vector3(7, 0, 7)), 0.5, "outside of it")
 
 
 func grass_path3d() -> void:
-	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
+	var stage := await ran()
 	await frames(30)
 	assert_eq(stage.field.get_density_at(Vector3(0, 0, 2)), 0.0, "on the trail")
 	assert_greater(stage.field.get_density_at(Vector3(0, 0, 5)), 0.5, "beside it")
