@@ -36,9 +36,10 @@ inline constexpr Tunable SHADOW_DISTANCE{ "shadow_distance", "m", 0.0, 1000.0, 1
 
 // What must follow when a number changes.
 enum class Effect {
-	REBUILD, // the field is made anew
+	REBUILD, // the field is made anew, and all of its grass is at rest
 	STEP, // read at the next tick
 	UNIFORM, // handed to the shaders under the property's own name; the next frame reads it, too
+	TINT, // handed to the shaders with the other numbers of the clumps
 	WIND, // handed to the blade shader with the other numbers of the wind
 	VIEW, // read at the next frame
 };
@@ -109,7 +110,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_HEIGHT, CLUMP_HEIGHT, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_LEAN, CLUMP_LEAN, Effect::REBUILD, "Clumps" },
-	FieldParam{ PARAM_CLUMP_TINT, CLUMP_TINT, Effect::REBUILD, "Clumps" },
+	FieldParam{ PARAM_CLUMP_TINT, CLUMP_TINT, Effect::TINT, "Clumps" },
 	FieldParam{ PARAM_FRICTION, FRICTION, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SWING_SPEED_MAX, SWING_SPEED_MAX, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_ITERATIONS, ITERATIONS, Effect::STEP, "Simulation" },

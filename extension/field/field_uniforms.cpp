@@ -22,7 +22,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	const BladeSize size = p_setup.blade_size();
 	p_set("grass_cover", grass_lod_cover(size.width, size.length, float(grid.get_tile_size())));
 	p_set("grass_length", size.length);
-	p_set("clump", Vector4(p_setup.clump.size, p_setup.clump.height, p_setup.clump.lean, p_setup.clump.tint));
+	set_clump(p_setup.clump, p_set);
 	const std::array<float, 4> &origin = p_setup.clump.origin;
 	p_set("clump_origin", Vector4(origin[0], origin[1], origin[2], origin[3]));
 	p_set("noise_origin", Vector2(real_t(p_properties.noise_origin.x), real_t(p_properties.noise_origin.y)));
@@ -40,6 +40,10 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	}
 	p_set("terrain_texture", p_properties.find_terrain_texture());
 	set_wind(p_properties, p_set);
+}
+
+void FieldUniforms::set_clump(const ClumpParams &p_clump, const SetUniform &p_set) {
+	p_set("clump", Vector4(p_clump.size, p_clump.height, p_clump.lean, p_clump.tint));
 }
 
 void FieldUniforms::set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const {

@@ -24,7 +24,6 @@ void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_is_crowded = false;
 	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_layers() : nullptr, patches_of(p_wanted.species),
 			_properties.field_params(p_wanted.species));
-	_mix = std::move(p_wanted.mix);
 	_species = std::move(p_wanted.species);
 	_plants = std::move(p_wanted.plants);
 	_map = std::move(p_wanted.map);
@@ -75,8 +74,8 @@ void StandingField::measure_time() {
 bool StandingField::update_species() {
 	const FieldSpecies &species = _properties.species;
 	const FieldSetup &setup = _field.get_setup();
-	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
-			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size ||
+	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.is_plain() != (setup.species == nullptr) ||
+			(setup.species && !setup.species->chooses_as(*find_mix(_properties))) || species.find_card_size() != setup.card_size ||
 			species.find_leaf_area() != setup.leaf_area || species.find_plants(_properties.param(PARAM_DENSITY)) != _plants) {
 		return false;
 	}
@@ -99,6 +98,13 @@ void StandingField::update_quality() {
 	}
 	fit_pool();
 	request_draw();
+}
+
+void StandingField::update_tint() {
+	if (_backend) {
+		_field.set_tint(_properties.clump().tint);
+		FieldUniforms::set_clump(_field.get_setup().clump, _set);
+	}
 }
 
 void StandingField::fit_pool() {

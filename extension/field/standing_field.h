@@ -64,6 +64,7 @@ public:
 	}
 	// Scales what the shaders know, and the pool, by another level of quality. Nothing is made again.
 	void update_quality();
+	void update_tint(); // of the clumps
 	void fit_pool(); // to the properties, without putting its blades to rest
 	void update_wind() { _uniforms.set_wind(_properties, _set); }
 	// Updates the species' colours and frequencies. Returns false if the change requires making the field again.
@@ -142,7 +143,6 @@ private:
 
 	const FieldProperties &_properties;
 	Field _field;
-	std::vector<SpeciesParams> _mix; // as it was made
 	std::vector<GrownSpecies> _species;
 	std::vector<DrawnPlant> _plants; // of the species
 	std::unique_ptr<ShownMap> _map;

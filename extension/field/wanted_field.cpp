@@ -22,6 +22,14 @@ void fit(const FieldProperties &p_properties, FieldSetup &r_setup) {
 
 } // namespace
 
+std::shared_ptr<const SpeciesMix> find_mix(const FieldProperties &p_properties) {
+	if (p_properties.species.is_plain()) {
+		return nullptr;
+	}
+	return std::make_shared<const SpeciesMix>(p_properties.species.find_mix(), p_properties.grid(), uint32_t(p_properties.seed),
+			Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
+}
+
 WantedField find_wanted(const FieldProperties &p_properties) {
 	WantedField wanted;
 	FieldSetup &setup = wanted.setup;
@@ -42,10 +50,7 @@ WantedField find_wanted(const FieldProperties &p_properties) {
 	}
 	const std::vector<int> stems = p_properties.species.find_stems();
 	setup.has_plants = setup.plant_size > 0.0f || std::ranges::any_of(stems, [](int p_stems) { return p_stems > 1; });
-	wanted.mix = p_properties.species.find_mix();
-	setup.species = p_properties.species.is_plain() ? nullptr
-													: std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed,
-															  Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
+	setup.species = find_mix(p_properties);
 	wanted.species = p_properties.species.find_grown();
 	fit(p_properties, setup);
 	return wanted;

@@ -15,7 +15,6 @@ namespace grass {
 
 struct WantedField {
 	FieldSetup setup;
-	std::vector<SpeciesParams> mix;
 	std::vector<GrownSpecies> species;
 	std::vector<DrawnPlant> plants; // of the species
 	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
@@ -23,6 +22,7 @@ struct WantedField {
 	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
 };
 
+std::shared_ptr<const SpeciesMix> find_mix(const FieldProperties &p_properties); // null: one species, see FieldSetup
 WantedField find_wanted(const FieldProperties &p_properties);
 // Returns the number of tiles that its pool should have, on the device that it runs on.
 int find_pool_size(const FieldProperties &p_properties, const FieldSetup &p_setup);

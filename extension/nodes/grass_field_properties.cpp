@@ -81,8 +81,14 @@ void GrassField::set_sleep_mode(SleepMode p_mode) {
 
 void GrassField::set_pool_tiles(int64_t p_tiles) {
 	GRASS_MAIN_THREAD_ONLY();
-	if (replace(_properties.pool_tiles, checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label()))) {
+	if (!replace(_properties.pool_tiles, checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label()))) {
+		return;
+	}
+	if (_life.is_waiting()) {
 		request_rebuild();
+	} else {
+		_standing.fit_pool();
+		report_warnings();
 	}
 }
 
@@ -132,6 +138,13 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 		case Effect::STEP:
 			_standing.update_params();
 			update_configuration_warnings();
+			break;
+		case Effect::TINT:
+			if (_life.is_waiting()) {
+				request_rebuild();
+			} else {
+				_standing.update_tint();
+			}
 			break;
 		case Effect::UNIFORM:
 			_standing.set_uniform(info.tunable.name, _properties.scaled(info.id));

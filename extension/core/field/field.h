@@ -39,6 +39,7 @@ public:
 
 	// Sets the params for the next step. Ignores their method: the field keeps the one that it was made with.
 	void set_params(const FieldParams &p_params);
+	void set_tint(float p_tint) { _setup.clump.tint = p_tint; } // of the clumps: only the picture has it
 	// Changes the number of tiles that may be awake. Awake ones keep their blades; if there are too many, the calmest come to rest.
 	void set_pool_size(Simulator &r_simulator, int p_slots);
 	// Applies the params to the tiles; blades at rest may move.

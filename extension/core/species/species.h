@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -76,6 +77,8 @@ struct SpeciesRecord {
 	int32_t stems = 1; // chosen together
 	// The field's first corner in the noise: units within a cell, and which cell.
 	int32_t x = 0, z = 0, column = 0, row = 0;
+
+	bool operator==(const SpeciesRecord &) const = default;
 };
 
 class SpeciesMix {
@@ -86,6 +89,8 @@ public:
 			const Eigen::Vector2d &p_origin = Eigen::Vector2d::Zero());
 
 	int get_count() const { return _count; }
+	// Returns whether it chooses the same species everywhere, in a field with the same tiles and seed.
+	bool chooses_as(const SpeciesMix &p_other) const { return std::ranges::equal(get_records(), p_other.get_records()); }
 	std::span<const SpeciesRecord> get_records() const { return { _records.data(), size_t(_count) }; }
 	int get_texel_units() const { return _texel_units; } // units along a texel of the map
 	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades without paint, 0..1

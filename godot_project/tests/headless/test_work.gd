@@ -75,6 +75,46 @@ func test_another_method_makes_the_field_anew() -> void:
 	assert_greater(field.get_bend_at(Vector3(0.4, 0, 0.25)).length(), 0.1)
 
 
+## Looks, and shares that leave each blade its species: a ball keeps the grass down that it lies on.
+func test_what_changes_no_blade_stands_none_up() -> void:
+	var only := GrassSpecies.new()
+	var field := add_field({species = [only]})
+	add_held_body(ball(0.3), Vector3(0.25, 0.25, 0.25))
+	await ticks(300)
+	var before := field.get_counters()
+	var bent := tile_knots(field, field.get_tile_at(Vector3(0.25, 0, 0.25)))
+	for i in 20:
+		field.clump_tint = 0.04 * i
+		field.pool_tiles = 1000 + 7 * i
+		only.share = 0.02 * (i + 1)
+		only.tip_color = Color(0.05 * i, 0.5, 0.1)
+		await ticks(1)
+	var after := field.get_counters()
+	assert_eq(after.makings, before.makings)
+	assert_eq(after.pool_tiles, 1133)
+	assert_less(farthest(tile_knots(field, field.get_tile_at(Vector3(0.25, 0, 0.25))), bent), 0.01)
+	field.pool_tiles = 0
+	await ticks(1)
+	assert_eq(field.get_awake_tile_count(), 0)
+	field.pool_tiles = 500
+	await ticks(10)
+	assert_greater(field.get_bend_at(Vector3(0.4, 0, 0.25)).length(), 0.1)
+
+
+func test_shares_of_two_species_count_by_what_they_change() -> void:
+	var two: Array[GrassSpecies] = [GrassSpecies.new(), GrassSpecies.new()]
+	two[1].share = 0.0
+	var field := add_field({species = two})
+	await ticks(2)
+	assert_eq(field.get_counters().makings, 1)
+	two[0].share = 0.25
+	await grown(field)
+	assert_eq(field.get_counters().makings, 1, "all of it, as before")
+	two[1].share = 0.25
+	await grown(field)
+	assert_eq(field.get_counters().makings, 2)
+
+
 func test_a_field_that_grows_keeps_its_pool() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
