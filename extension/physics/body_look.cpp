@@ -38,6 +38,12 @@ bool is_driven_by_velocity(int64_t p_mode) {
 	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
 }
 
+// Returns whether a body of such a node stands in the grass even while a game holds it still: frozen, disabled, or made static.
+bool is_made_to_move(const Object *p_node) {
+	return Object::cast_to<RigidBody3D>(p_node) != nullptr || Object::cast_to<CharacterBody3D>(p_node) != nullptr ||
+			Object::cast_to<AnimatableBody3D>(p_node) != nullptr;
+}
+
 // Returns which of a node's shapes are disabled, one bit for each shape. Shapes added directly in the physics server have no owner in the
 // node, and are enabled.
 std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count, int64_t &r_calls) {
@@ -76,9 +82,9 @@ bool BodyTracker::look(Body &r_body) {
 	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
 			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
 	r_body.node = find_leader(r_body, mode, _reads);
-	// A frozen RigidBody3D is not ground.
-	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
-			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
+	const bool was_moving = r_body.has_before && !r_body.is_static;
+	r_body.is_static =
+			mode == PhysicsServer3D::BODY_MODE_STATIC && !was_moving && !is_made_to_move(ObjectDB::get_instance(r_body.instance_id));
 	// Spreads the checks of bodies that appeared together over the ticks.
 	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % _look_every);
 	r_body.next_look = _look_every - 1 + phase;

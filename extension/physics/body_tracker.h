@@ -99,7 +99,7 @@ private:
 		Eigen::Vector3d scale = Eigen::Vector3d::Ones(); // its own, which its shapes inherit; negative if it mirrors
 		bool has_before = false;
 		bool was_put = true; // since then: `before` is not its place in the last tick
-		bool is_static = false; // ground while it rests
+		bool is_static = false; // ground while it rests: static since it was found, and not of a node that is made to move
 		bool is_driven = false; // moves according to its velocity; a character's velocity is in its node
 		bool is_character = false;
 		int still_ticks = 0; // without motion, of a static one; starts as ground

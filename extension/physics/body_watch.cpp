@@ -3,6 +3,8 @@
 #include "physics/body_tracker.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/classes/soft_body3d.hpp>
+#include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
 
@@ -58,6 +60,9 @@ void BodyTracker::stop() {
 void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
 	const uint64_t key = uint64_t(p_body.get_id());
 	auto found = _bodies.find(key);
+	if (p_status == PhysicsServer3D::AREA_BODY_ADDED && Object::cast_to<SoftBody3D>(ObjectDB::get_instance(uint64_t(p_instance_id)))) {
+		return; // areas report them from Godot 4.7 on, and SoftBodies reads them
+	}
 	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
 		if (found == _bodies.end()) {
 			found = _bodies.emplace(key, Body()).first;

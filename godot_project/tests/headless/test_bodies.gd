@@ -153,6 +153,66 @@ func test_switched_off_by_its_mode() -> void:
 	assert_true(await felt(field))
 
 
+## Held still in three ways, where it stands: it is still there.
+func test_made_static_it_still_holds_the_grass_down() -> void:
+	var field := add_field({size = Vector2(8, 8)})
+	for body: PhysicsBody3D in [CharacterBody3D.new(), AnimatableBody3D.new(), RigidBody3D.new()]:
+		if body is RigidBody3D:
+			body.gravity_scale = 0.0
+		for way in 2:
+			body.disable_mode = CollisionObject3D.DISABLE_MODE_MAKE_STATIC
+			if not body.is_inside_tree():
+				add_body(body, ball(0.3), Vector3(0.25, 0.25, 0.25))
+			for i in 20:
+				body.position = Vector3(0.25 + 0.02 * (i + 1), 0.25, 0.25)
+				await ticks(1)
+			await ticks(60)
+			var beside := body.position + Vector3(0.15, 0, 0)
+			assert_greater(field.get_bend_at(beside).length(), 0.1, body.get_class())
+			if way == 0:
+				body.process_mode = PROCESS_MODE_DISABLED
+			else:
+				PhysicsServer3D.body_set_mode(body.get_rid(), PhysicsServer3D.BODY_MODE_STATIC)
+			await ticks(300)
+			assert_greater(field.get_bend_at(beside).length(), 0.1, "%s, way %d" % [body.get_class(), way])
+			body.process_mode = PROCESS_MODE_INHERIT
+		body.free()
+		await ticks(1)
+
+
+## As areas report soft bodies from Godot 4.7 on: whose node is a SoftBody3D is no body of the tracker.
+func test_soft_bodies_that_areas_report_are_not_tracked() -> void:
+	var field := add_field()
+	var soft := SoftBody3D.new()
+	var body := add_held_body(ball(0.2), MIDDLE)
+	assert_true(await felt(field))
+	body.free()
+	assert_false(await felt(field))
+	body = add_held_body(ball(0.2), MIDDLE)
+	PhysicsServer3D.body_attach_object_instance_id(body.get_rid(), soft.get_instance_id())
+	assert_false(await felt(field))
+	assert_eq(field.get_body_count(), 0)
+	soft.free()
+
+
+func test_a_body_of_the_server_alone_that_is_made_static() -> void:
+	var field := add_field()
+	var shape := ball(0.3)
+	var body := PhysicsServer3D.body_create()
+	PhysicsServer3D.body_set_mode(body, PhysicsServer3D.BODY_MODE_KINEMATIC)
+	PhysicsServer3D.body_add_shape(body, shape.get_rid())
+	PhysicsServer3D.body_set_space(body, field.get_world_3d().space)
+	for i in 20:
+		PhysicsServer3D.body_set_state(
+			body, PhysicsServer3D.BODY_STATE_TRANSFORM, Transform3D(Basis(), Vector3(0.02 * i - 0.15, 0.25, 0.25))
+		)
+		await ticks(1)
+	PhysicsServer3D.body_set_mode(body, PhysicsServer3D.BODY_MODE_STATIC)
+	await ticks(300)
+	assert_greater(field.get_bend_at(Vector3(0.4, 0, 0.25)).length(), 0.1)
+	PhysicsServer3D.free_rid(body)
+
+
 func test_asleep_it_still_holds_the_grass_down() -> void:
 	var field := add_field()
 	add_floor()
