@@ -21,7 +21,7 @@ constexpr double LARGEST_BAKE = 65536.0; // most m^2 that a new map reads at onc
 Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes) {
 	p_field->make_map();
 	if (p_bakes && p_field->get_terrain().is_empty() && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
-		p_field->bake_ground();
+		p_field->bake_whole_ground();
 	}
 	return p_field->get_map();
 }

@@ -49,11 +49,13 @@ std::vector<BladeNumber> FieldPlaces::blades_of(const Vector2i &p_tile) const {
 	return blades;
 }
 
+int64_t FieldPlaces::count_blades(const Vector3 &p_global, double p_radius) const {
+	const Eigen::Vector3d place = from_global(p_global);
+	return _standing.get_field().tiles_around({ place.x(), place.z() }, p_radius).count() * GRASS_BLADES_PER_TILE;
+}
+
 std::vector<BladeNumber> FieldPlaces::find_blades(const Vector3 &p_global, double p_radius) const {
 	const Eigen::Vector3d place = from_global(p_global);
-	if (!place.allFinite() || !(p_radius >= 0.0)) {
-		return {};
-	}
 	return _standing.get_field().find_blades({ place.x(), place.z() }, p_radius);
 }
 

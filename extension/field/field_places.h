@@ -30,6 +30,7 @@ public:
 	// Returns the blades of a tile that exists, or those that grow up to p_radius metres from a place.
 	std::vector<BladeNumber> blades_of(const godot::Vector2i &p_tile) const;
 	std::vector<BladeNumber> find_blades(const godot::Vector3 &p_global, double p_radius) const;
+	int64_t count_blades(const godot::Vector3 &p_global, double p_radius) const; // at which find_blades() looks
 	bool has_blade(BladeNumber p_blade) const { return p_blade >= 0 && p_blade < number_of(int(_standing.get_grid().get_tile_count()), 0); }
 	double density_at(const godot::Vector3 &p_global) const; // share of the blades that grow, 0..1
 	double height_at(const godot::Vector3 &p_global) const; // of the grass at rest, metres

@@ -2,6 +2,7 @@
 #include "field/field_work.h"
 
 #include "core/field/grass_at.h"
+#include "field/work_limits.h"
 #include "physics/ground_rays.h"
 #include "physics/ground_sheet.h"
 #include "physics/node_colliders.h"
@@ -22,8 +23,18 @@ namespace {
 constexpr double SMALLEST_TRAMPLE = 0.36;
 // A boot treads with 0.2 m, a giant's with some metres. Metres.
 constexpr Tunable TRAMPLE_RADIUS{ "radius", "m", 0.0, 64.0, 0.01, 0.2 };
+// The share of the way to trampled bare. The map keeps wear in 255 steps: below a half of one nothing changes.
+constexpr Tunable TRAMPLE_AMOUNT{ "amount", "", 0.0, 1.0, 0.001, 0.03 };
 // Around a field that is baked as a whole: what its last blades blend with. Metres.
 constexpr double GROUND_BORDER = info_of(MAP_GROUND).texel_size();
+
+// Of the rectangle around it, m^2.
+double area_of(const MowRegion &p_region) {
+	const MapRegion box = p_region.footprint == nullptr
+			? p_region.rectangle
+			: p_region.rectangle.shared({ p_region.footprint->get_min(), p_region.footprint->get_max() });
+	return box.has_area() ? (box.max - box.min).prod() : 0.0;
+}
 
 } // namespace
 
@@ -48,6 +59,28 @@ bool FieldWork::find_region(
 	return _properties.ground_band().meets(bounds.min.y(), bounds.max.y());
 }
 
+// Says so if it is. A call that is refused does nothing at all.
+bool FieldWork::is_too_large(const char *p_method, double p_area, const char *p_remedy) const {
+	ERR_FAIL_COND_V_MSG(p_area > double(AREA_MAX), true,
+			_host.message(vformat(
+					"%s() would act on %.0f square metres, and acts on %d at most (AREA_MAX). %s", p_method, p_area, AREA_MAX, p_remedy)));
+	return false;
+}
+
+bool FieldWork::is_too_large(const char *p_method, const std::optional<Footprint> &p_footprint) const {
+	return is_too_large(p_method, area_of(mow_region(p_footprint)), "Call it with several smaller shapes, in as many frames.");
+}
+
+double FieldWork::find_area(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) const {
+	ColliderShape shape;
+	if (!_standing.stands() || p_shape.is_null() || !p_transform.is_finite() ||
+			!pose_shape(p_shape, to_field() * to_eigen(p_transform), shape)) {
+		return 0.0;
+	}
+	const std::optional<Footprint> footprint(shape);
+	return area_of(mow_region(footprint));
+}
+
 MowRegion FieldWork::mow_region(const std::optional<Footprint> &p_footprint) const {
 	return { p_footprint ? &*p_footprint : nullptr, field_region() };
 }
@@ -55,8 +88,14 @@ MowRegion FieldWork::mow_region(const std::optional<Footprint> &p_footprint) con
 CutResult FieldWork::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	std::optional<Footprint> footprint;
 	ERR_FAIL_COND_V_MSG(p_shape.is_null(), {}, _host.message("cut() needs a shape."));
+	if (!_host.stand()) {
+		return {};
+	}
+	if (_standing.stands() && (!find_region("cut", p_shape, p_transform, footprint) || is_too_large("cut", footprint))) {
+		return {};
+	}
 	GrassMap *map = _host.need_map("cut");
-	if (map == nullptr || !_standing.stands() || !find_region("cut", p_shape, p_transform, footprint)) {
+	if (map == nullptr || !_standing.stands()) {
 		return {};
 	}
 	return map->change([&](PaintMap &r_map) { return cut_grass(r_map, mow_region(footprint), kind_of(_standing.get_field())); });
@@ -65,7 +104,7 @@ CutResult FieldWork::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_trans
 double FieldWork::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	std::optional<Footprint> footprint;
 	if (!_host.stand() || _properties.map.is_null() || !_standing.stands() ||
-			!find_region("get_mown_share", p_shape, p_transform, footprint)) {
+			!find_region("get_mown_share", p_shape, p_transform, footprint) || is_too_large("get_mown_share", footprint)) {
 		return 0.0;
 	}
 	return mown_share(_properties.map->get_map(), mow_region(footprint), kind_of(_standing.get_field()));
@@ -75,7 +114,8 @@ void FieldWork::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_sha
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
 			_host.message("regrow() needs a growth in metres and a reduction of wear, each 0 or more."));
 	std::optional<Footprint> footprint;
-	if (_host.stand() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
+	if (_host.stand() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint) &&
+			!is_too_large("regrow", footprint)) {
 		_properties.map.ptr()->change([&](PaintMap &r_map) {
 			return regrow_grass(r_map, mow_region(footprint), kind_of(_standing.get_field()), p_height, p_wear);
 		});
@@ -100,7 +140,7 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 }
 
 double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {
-	ERR_FAIL_COND_V_MSG(!p_global.is_finite() || !(p_radius > 0.0), 0.0,
+	ERR_FAIL_COND_V_MSG(!p_global.is_finite() || !(p_radius > 0.0) || !(p_amount >= 0.0), 0.0,
 			_host.message("trample() needs a finite position, a radius in metres above 0, and an amount from 0 to 1."));
 	GrassMap *map = _host.need_map("trample");
 	if (map == nullptr) {
@@ -118,7 +158,7 @@ double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amo
 		return 0.0;
 	}
 	brush.tool = MapTool::FLATTEN;
-	brush.strength = p_amount;
+	brush.strength = checked(TRAMPLE_AMOUNT, p_amount, _host.label());
 	return map->apply(MapShape::stroke(centre, centre, std::max(radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
 }
 
@@ -188,7 +228,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 	return found;
 }
 
-int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
+int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask, bool p_is_bounded) {
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a finite region, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
 	ERR_FAIL_COND_V_MSG(_properties.ground_band().is_empty(), 0,
@@ -200,8 +240,14 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 			_host.message("the physics space is locked now. If physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));
 	const std::optional<MapRegion> region = bake_region(p_region);
+	if (!region ||
+			(p_is_bounded &&
+					is_too_large("bake_ground", area_of({ nullptr, region->shared(ground()) }),
+							"Call it with several smaller regions, in as many frames."))) {
+		return 0;
+	}
 	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place); };
-	return region ? lay_ground_by(*region, height, height) : 0;
+	return lay_ground_by(*region, height, height);
 }
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {

@@ -23,6 +23,8 @@ public:
 	FieldWork(FieldHost &p_host, const StandingField &p_standing, const FieldProperties &p_properties) :
 			_host(p_host), _standing(p_standing), _properties(p_properties) {}
 
+	// Returns the square metres, seen from above, on which cut() and others act with this shape; 0 where they refuse it.
+	double find_area(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform) const;
 	CutResult cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	// Without a shape, these act on the whole field.
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
@@ -38,13 +40,16 @@ public:
 
 	// Read the shape of the ground into the map, over a rectangle (field space, x and z in metres) or, if that is empty, over the whole
 	// field. Return the number of places with ground, one for each square metre.
-	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask);
+	// p_is_bounded: to AREA_MAX, as for scripts.
+	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask, bool p_is_bounded);
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
 private:
 	Eigen::Affine3d to_field() const; // from the world
 	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
 			std::optional<Footprint> &r_footprint) const;
+	bool is_too_large(const char *p_method, double p_area, const char *p_remedy) const;
+	bool is_too_large(const char *p_method, const std::optional<Footprint> &p_footprint) const;
 	MapRegion ground() const;
 	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;

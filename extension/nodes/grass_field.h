@@ -182,7 +182,9 @@ public:
 	void push(const godot::Vector3 &p_global_position, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
-	int64_t bake_ground(const godot::Rect2 &p_region = godot::Rect2(), int64_t p_mask = GroundRays::ALL_LAYERS);
+	double find_area(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform) const; // see FieldWork
+	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask);
+	int64_t bake_whole_ground(); // for the editor: however large the field is
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
 	godot::PackedStringArray _get_configuration_warnings() const override;

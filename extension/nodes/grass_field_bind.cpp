@@ -2,6 +2,7 @@
 // What scripts and the inspector see of GrassField.
 #include "nodes/grass_field.h"
 
+#include "field/work_limits.h"
 #include "ground/bare_answer.h"
 #include "shared/bind_property.h"
 #include "shared/params.h"
@@ -171,6 +172,9 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_DENSITY);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_COST);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_SIMULATED);
+	ClassDB::bind_integer_constant("GrassField", StringName(), "BLADES_MAX", BLADES_MAX);
+	ClassDB::bind_integer_constant("GrassField", StringName(), "AREA_MAX", AREA_MAX);
+	ClassDB::bind_integer_constant("GrassField", StringName(), "COVER_DISTANCE_MAX", COVER_DISTANCE_MAX);
 	for (size_t reason = 0; reason < BARE_REASONS.size(); reason++) { // see explain()
 		ClassDB::bind_integer_constant("GrassField", "Reason", BARE_REASONS[reason], int64_t(reason));
 	}

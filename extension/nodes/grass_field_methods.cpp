@@ -107,7 +107,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 }
 
 GrassMap *GrassField::need_map(const char *p_method) {
-	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message(vformat("add the node to the scene tree before calling %s().", p_method)));
 	if (_properties.map.is_null()) {
 		make_map();
 	}
@@ -148,7 +148,15 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 
 int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	return _work.bake_ground(p_region, p_mask);
+	return _work.bake_ground(p_region, p_mask, true);
+}
+
+int64_t GrassField::bake_whole_ground() {
+	return _work.bake_ground(Rect2(), GroundRays::ALL_LAYERS, false);
+}
+
+double GrassField::find_area(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) const {
+	return _work.find_area(p_shape, p_transform);
 }
 
 int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {

@@ -2,6 +2,7 @@
 // What scripts ask of GrassField: tiles, blades, the grass at a place. Each method checks its arguments and passes them on.
 #include "nodes/grass_field.h"
 
+#include "field/work_limits.h"
 #include "ground/bare_answer.h"
 #include "shared/main_thread.h"
 
@@ -79,6 +80,9 @@ int64_t GrassField::get_awake_tile_count() const {
 // With an error where it is false.
 bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
 	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	ERR_FAIL_COND_V_MSG(p_blades.size() > BLADES_MAX, false,
+			message(vformat("%d blades were asked for; one call returns %d at most (BLADES_MAX). Ask for them in parts.", p_blades.size(),
+					BLADES_MAX)));
 	for (const int64_t blade : p_blades) {
 		ERR_FAIL_COND_V_MSG(!places().has_blade(blade), false,
 				message(vformat("there is no blade %d. Get the numbers of blades from find_blades() or get_tile_blades().", blade)));
@@ -131,7 +135,16 @@ PackedInt64Array GrassField::get_tile_blades(const Vector2i &p_tile) const {
 
 PackedInt64Array GrassField::find_blades(const Vector3 &p_global_position, double p_radius) {
 	GRASS_MAIN_THREAD_ONLY_V(PackedInt64Array());
-	return prepare_places() ? to_array(places().find_blades(p_global_position, p_radius)) : PackedInt64Array();
+	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite() || !(p_radius >= 0.0), PackedInt64Array(),
+			message("find_blades() needs a finite position, and a radius in metres of 0 or more."));
+	if (!prepare_places()) {
+		return PackedInt64Array();
+	}
+	const int64_t blades = places().count_blades(p_global_position, p_radius);
+	ERR_FAIL_COND_V_MSG(blades > BLADES_MAX, PackedInt64Array(),
+			message(vformat("find_blades() would look at %d blades; it looks at %d at most (BLADES_MAX). Use a smaller radius.", blades,
+					BLADES_MAX)));
+	return to_array(places().find_blades(p_global_position, p_radius));
 }
 
 int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {

@@ -3,6 +3,7 @@
 #include "world/grass_world.h"
 
 #include "draw/frame_share.h"
+#include "field/work_limits.h"
 #include "shared/main_thread.h"
 #include "shared/script_call.h"
 
@@ -59,6 +60,15 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	Dictionary sum = to_dictionary(CutResult());
 	GRASS_MAIN_THREAD_ONLY_V(sum);
+	double area = 0.0;
+	for (const PlotKey &key : _plots.get_standing()) {
+		area += _plots.find(key) != nullptr ? _plots.find(key)->find_area(p_shape, p_transform) : 0.0;
+	}
+	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), sum,
+			vformat("%s: cut() would act on %.0f square metres, and acts on %d at most (AREA_MAX). Call it with several smaller shapes, in "
+					"as "
+					"many frames.",
+					label(), area, AREA_MAX));
 	const Array names = sum.keys();
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);
@@ -80,8 +90,9 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 	if (!is_here("paint")) {
 		return 0.0;
 	}
-	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
-	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite positions.", label()));
+	const String problem = GrassMap::problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
+	ERR_FAIL_COND_V_MSG(!problem.is_empty() || !p_from.is_finite() || !p_to.is_finite(), 0.0,
+			vformat("%s: paint(): %s", label(), problem.is_empty() ? String("the ends of a stroke must be finite numbers.") : problem));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
 	const double reach = p_brush->get_reach() + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
 	double sum = 0.0;

@@ -295,10 +295,13 @@ KnotsOf<double> Field::find_knots(BladeNumber p_blade, const SimulatedKnots &p_s
 	return knots;
 }
 
+TileRange Field::tiles_around(const Eigen::Vector2d &p_place, double p_radius) const {
+	return _setup.grid.get_range(p_place.x() - p_radius, p_place.x() + p_radius, p_place.y() - p_radius, p_place.y() + p_radius, 0.0);
+}
+
 std::vector<BladeNumber> Field::find_blades(const Eigen::Vector2d &p_place, double p_radius) const {
 	std::vector<BladeNumber> found;
-	const TileRange tiles =
-			_setup.grid.get_range(p_place.x() - p_radius, p_place.x() + p_radius, p_place.y() - p_radius, p_place.y() + p_radius, 0.0);
+	const TileRange tiles = tiles_around(p_place, p_radius);
 	for (int z = tiles.z_begin; z < tiles.z_end; z++) {
 		for (int x = tiles.x_begin; x < tiles.x_end; x++) {
 			for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {

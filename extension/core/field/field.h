@@ -92,6 +92,8 @@ public:
 		return root_of(p_pose.root, p_tile_x, p_tile_z) + Eigen::Vector3d(0.0, p_pose.ground, 0.0);
 	}
 	// Returns the blades that grow up to p_radius metres from a place, in ascending order.
+	// Returns the tiles in which blades within p_radius of a place may grow.
+	TileRange tiles_around(const Eigen::Vector2d &p_place, double p_radius) const;
 	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
 private:

@@ -46,6 +46,7 @@ func test_blades_around_a_place() -> void:
 	assert_greater(expected.size(), 20)
 	assert_eq(field.find_blades(place, 0.4), expected)
 	assert_eq(field.find_blades(Vector3(100, 0, 0), 0.4).size(), 0, "outside of the field")
+	expect_error("find_blades() needs a finite position, and a radius")
 	for radius: float in [-1.0, NAN]:
 		assert_eq(field.find_blades(place, radius).size(), 0)
 	assert_eq(field.find_blades(place, INF).size(), int(field.get_blade_count()))

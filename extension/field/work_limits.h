@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The most that one call of a script does. Beyond it the call does nothing and says so: it would stop the game for seconds. Each is a
+// constant of the class by the same name.
+#pragma once
+
+#include <cstdint>
+
+namespace grass {
+
+// Blades that a query looks at: those within 32 m, in a field of the default density.
+inline constexpr int64_t BLADES_MAX = 1 << 20;
+// Ground that a deed changes or a query looks at, seen from above, m^2: 1,024 m x 1,024 m.
+inline constexpr int64_t AREA_MAX = 1 << 20;
+// Length of a line through the grass, metres.
+inline constexpr int64_t COVER_DISTANCE_MAX = 256;
+
+} // namespace grass
