@@ -5,6 +5,7 @@
 #include "core/base/layout.h"
 #include "draw/task_queue.h"
 #include "gpu/pass_shaders.h"
+#include "gpu/spirv_code.h"
 
 #include <godot_cpp/variant/rid.hpp>
 
@@ -26,7 +27,7 @@ enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, EDGES, C
 struct PassCode {
 	static constexpr int NO_METHOD = -1;
 
-	std::span<const uint32_t> spirv;
+	SpirvCode spirv;
 	const char *name;
 	PassOrder order;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, for passes with this constant

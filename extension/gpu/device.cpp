@@ -160,16 +160,17 @@ bool GpuPass::refresh_set() {
 	return _set.is_valid();
 }
 
-void GpuPass::dispatch(int64_t p_list, const PackedByteArray &p_constants, uint32_t p_groups) {
+void GpuPass::dispatch_bytes(int64_t p_list, const PackedByteArray &p_constants, uint32_t p_groups) {
 	if (!is_ready() || p_groups == 0 || !refresh_set()) {
 		return;
 	}
+	const PassCode &code = _source->code;
+	ERR_FAIL_COND_MSG(p_constants.size() != int64_t(code.spirv.pushed),
+			vformat("%s declares %d bytes of push constants and is given %d.", code.name, int64_t(code.spirv.pushed), p_constants.size()));
 	RenderingDevice *device = main_device();
 	device->compute_list_bind_compute_pipeline(p_list, _pipeline);
 	device->compute_list_bind_uniform_set(p_list, _set, 0);
-	if (!p_constants.is_empty()) {
-		device->compute_list_set_push_constant(p_list, p_constants, uint32_t(p_constants.size()));
-	}
+	device->compute_list_set_push_constant(p_list, p_constants, uint32_t(p_constants.size()));
 	device->compute_list_dispatch(p_list, grass_row_width(p_groups), grass_rows(p_groups), 1);
 }
 

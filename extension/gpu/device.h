@@ -67,9 +67,12 @@ public:
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);
 	void bind_sampled(int p_binding, const godot::RID &p_sampler, const godot::RID &p_texture);
-	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16. If there are more workgroups than a
-	// dimension can hold, they are laid out in rows, see shaders/base/rows.inc.
-	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
+	// Adds the pass to an open compute list. p_constants: the push constant block, exactly as large as the pass declares it: Godot 4.7
+	// refuses any other size. If there are more workgroups than a dimension can hold, they are laid out in rows, see
+	// shaders/base/rows.inc.
+	template <typename T> void dispatch(int64_t p_list, const T &p_constants, uint32_t p_groups) {
+		dispatch_bytes(p_list, to_bytes(std::span<const T>(&p_constants, 1)), p_groups);
+	}
 	void free();
 	bool is_created() const { return _source != nullptr; }
 	bool is_ready();
@@ -85,6 +88,7 @@ private:
 		bool operator==(const Binding &) const = default;
 	};
 	void bind(int p_binding, const Binding &p_to);
+	void dispatch_bytes(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	bool refresh_set();
 
 	CompileQueue::Pipeline *_source = nullptr;

@@ -26,7 +26,7 @@ const PassCode CULL_CODE = { shader::CULL_SPIRV, "GrassField cull", PassOrder::C
 
 PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 	struct Variant {
-		std::span<const uint32_t> grass, species;
+		SpirvCode grass, species;
 		const char *name, *many_name;
 		PassOrder order;
 	};
@@ -55,8 +55,7 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 
 // If it is refused, all blades of awake tiles are simulated.
 PassCode join_code(const PassKind &p_kind) {
-	const std::span<const uint32_t> code =
-			p_kind.species ? std::span<const uint32_t>(shader::JOIN_GRASS_SPECIES_SPIRV) : shader::JOIN_SPIRV;
+	const SpirvCode &code = p_kind.species ? shader::JOIN_GRASS_SPECIES_SPIRV : shader::JOIN_SPIRV;
 	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
 }
 

@@ -98,7 +98,7 @@ void GpuField::dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimesh
 	const uint32_t capacity = p_multimeshes.picture_capacity, shadow_capacity = p_multimeshes.shadow_capacity;
 	const auto dispatch = [&](uint32_t p_phase, uint32_t p_threads, uint32_t p_groups) {
 		const uvec4 constants{ p_phase, p_threads, capacity, shadow_capacity };
-		_cull.dispatch(p_list, to_bytes(std::span(&constants, 1)), p_groups);
+		_cull.dispatch(p_list, constants, p_groups);
 	};
 	if (std::exchange(_begun, _instances) != _instances) {
 		const uint32_t instances = std::max(capacity, shadow_capacity);

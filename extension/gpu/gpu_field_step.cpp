@@ -143,7 +143,7 @@ void GpuField::dispatch_simulate(const StepRecords &p_records) {
 			const uint32_t begin = std::max(first, work.groups.first), end = std::min(first + most, work.groups.first + work.groups.count);
 			if (begin < end) {
 				step.contact.w = float(begin);
-				work.pass->dispatch(list, to_bytes(std::span<const GrassStep>(&step, 1)), end - begin);
+				work.pass->dispatch(list, step, end - begin);
 			}
 		}
 	}
@@ -159,7 +159,7 @@ int64_t GpuField::dispatch_join(std::span<const GrassSlot> p_slots, const GrassS
 	_join.bind_buffer(GRASS_BINDING_SLOTS, _join_records.rid());
 	RenderingDevice *device = main_device();
 	const int64_t list = device->compute_list_begin();
-	_join.dispatch(list, to_bytes(std::span<const GrassStep>(&p_step, 1)), uint32_t(p_slots.size()));
+	_join.dispatch(list, p_step, uint32_t(p_slots.size()));
 	device->compute_list_end();
 	return uploaded;
 }

@@ -52,7 +52,7 @@ uint32_t KnotReader::gather(std::span<const WantedBlade> p_blades) {
 	_pass.bind_buffer(GRASS_GATHER_FOUND, _found.rid());
 	const uvec4 count = { uint32_t(places.size()), 0, 0, 0 };
 	const int64_t list = main_device()->compute_list_begin();
-	_pass.dispatch(list, to_bytes(std::span(&count, 1)), (count.x - 1) / GRASS_GATHER_GROUP + 1);
+	_pass.dispatch(list, count, (count.x - 1) / GRASS_GATHER_GROUP + 1);
 	main_device()->compute_list_end();
 	return uint32_t(bytes);
 }

@@ -104,7 +104,7 @@ void PlantPasses::dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &
 			const Constants constants{ { phase, target.species, target.room, target.surfaces }, { float(x), float(z), distance, 0.0f },
 				{ float(p_painted.origin.x), float(p_painted.origin.y), target.kind.length, target.kind.cover } };
 			const uint32_t groups = phase == GRASS_PLANTS_FINISH ? 1 : uint32_t(x) * uint32_t(z) * uint32_t(p_cameras);
-			choosing.pass->dispatch(p_list, to_bytes(std::span(&constants, 1)), groups);
+			choosing.pass->dispatch(p_list, constants, groups);
 			main_device()->compute_list_add_barrier(p_list);
 		}
 	}

@@ -51,7 +51,7 @@ bool PoolMix::mix(float p_share, int p_rows) {
 		const vec4 share{ p_share, float(p_rows), 0.0f, 0.0f };
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		_pass.dispatch(list, to_bytes(std::span(&share, 1)), uint32_t(int64_t(p_rows) * POOL_TEXTURE_WIDTH / GRASS_MIX_GROUP));
+		_pass.dispatch(list, share, uint32_t(int64_t(p_rows) * POOL_TEXTURE_WIDTH / GRASS_MIX_GROUP));
 		device->compute_list_end();
 	}
 	return p_rows > 0;

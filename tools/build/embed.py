@@ -80,9 +80,9 @@ def variants(source):
 
 
 def compute_header(target, source, env):
-	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, arrays of uint32_t."""
+	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, each a SpirvCode."""
 	spirv_folder = pathlib.Path(str(target[0])).parent / "spirv"
-	lines = ["#include <cstdint>\n\nnamespace grass::shader {\n"]
+	lines = ['#include "gpu/spirv_code.h"\n\nnamespace grass::shader {\n']
 	for node in source:
 		for defines, suffix, name in variants(str(node)):
 			try:
@@ -90,11 +90,14 @@ def compute_header(target, source, env):
 			except RuntimeError as error:
 				print(f"{node}: the shader does not compile:\n{error}")
 				return 1
-			if refused := spirv_rules.broken(spirv.read(words)):
+			module = spirv.read(words)
+			if refused := spirv_rules.broken(module):
 				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/internals/drivers.md):\n" + "\n".join(refused))
 				return 1
 			rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
-			lines.append(f"inline constexpr uint32_t {constant_name(node, suffix + '_SPIRV')}[] = {{\n" + ",\n".join(rows) + "\n};\n")
+			constant = constant_name(node, suffix + "_SPIRV")
+			lines.append(f"inline constexpr uint32_t {constant}_WORDS[] = {{\n" + ",\n".join(rows) + "\n};\n")
+			lines.append(f"inline constexpr SpirvCode {constant}{{ {constant}_WORDS, {module.pushed} }};\n")
 	return write_header(target, source, lines)
 
 
