@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_places.h"
 
+#include "core/field/canopy.h"
 #include "core/field/grass_at.h"
 
 #include <numeric>
@@ -80,6 +81,11 @@ double FieldPlaces::height_at(const Vector3 &p_global) const {
 	return read_at(p_global, [this](const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
 		return grass::height_at(_standing.get_field(), p_place, p_layers);
 	});
+}
+
+double FieldPlaces::cover_between(const Vector3 &p_from, const Vector3 &p_to) const {
+	const auto layers_at = [this](const Eigen::Vector2f &p_place) { return _standing.layers_at(p_place); };
+	return _standing.stands() ? hidden_share(_standing.get_field(), layers_at, from_global(p_from), from_global(p_to)) : 0.0;
 }
 
 Vector3 FieldPlaces::bend_at(const Vector3 &p_global) const {

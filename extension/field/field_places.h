@@ -34,6 +34,7 @@ public:
 	bool has_blade(BladeNumber p_blade) const { return p_blade >= 0 && p_blade < number_of(int(_standing.get_grid().get_tile_count()), 0); }
 	double density_at(const godot::Vector3 &p_global) const; // share of the blades that grow, 0..1
 	double height_at(const godot::Vector3 &p_global) const; // of the grass at rest, metres
+	double cover_between(const godot::Vector3 &p_from, const godot::Vector3 &p_to) const; // see hidden_share()
 	// Returns the mean offset of the tips around a place from rest, in global axes, as shares of the blades' lengths.
 	godot::Vector3 bend_at(const godot::Vector3 &p_global) const;
 

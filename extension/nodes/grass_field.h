@@ -168,6 +168,8 @@ public:
 	bool is_grass_at(const godot::Vector3 &p_global_position);
 	double get_density_at(const godot::Vector3 &p_global_position);
 	double get_height_at(const godot::Vector3 &p_global_position);
+	double get_cover(const godot::Vector3 &p_from, const godot::Vector3 &p_to); // share of the view between them that blades hide
+	double get_rustle(const godot::Node3D *p_body) const; // blades per second that it moves over
 	godot::Vector3 get_bend_at(const godot::Vector3 &p_global_position);
 	// Explains why there is no grass, or less than there could be. p_camera: null: the viewport's.
 	godot::Dictionary explain(const godot::Vector3 &p_global_position, const godot::Camera3D *p_camera);

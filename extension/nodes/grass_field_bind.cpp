@@ -128,6 +128,8 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_density_at", "global_position"), &GrassField::get_density_at);
 	ClassDB::bind_method(D_METHOD("get_height_at", "global_position"), &GrassField::get_height_at);
 	ClassDB::bind_method(D_METHOD("get_bend_at", "global_position"), &GrassField::get_bend_at);
+	ClassDB::bind_method(D_METHOD("get_cover", "from", "to"), &GrassField::get_cover);
+	ClassDB::bind_method(D_METHOD("get_rustle", "body"), &GrassField::get_rustle);
 	ClassDB::bind_method(D_METHOD("explain", "global_position", "camera"), &GrassField::explain, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassField::cut);
 	ClassDB::bind_method(

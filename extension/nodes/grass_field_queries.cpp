@@ -177,6 +177,24 @@ double GrassField::get_height_at(const Vector3 &p_global_position) {
 	return prepare_places() ? places().height_at(p_global_position) : 0.0;
 }
 
+double GrassField::get_cover(const Vector3 &p_from, const Vector3 &p_to) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, message("get_cover() needs finite positions."));
+	const double distance = double((p_to - p_from).length());
+	ERR_FAIL_COND_V_MSG(distance > double(COVER_DISTANCE_MAX), 0.0,
+			message(vformat("get_cover() was asked for %d m; it looks %d m far at most (COVER_DISTANCE_MAX). Nobody sees farther through "
+							"grass.",
+					int64_t(std::min(distance, 1e15)), COVER_DISTANCE_MAX)));
+	return prepare_places() ? places().cover_between(p_from, p_to) : 0.0;
+}
+
+double GrassField::get_rustle(const Node3D *p_body) const {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	ERR_FAIL_NULL_V_MSG(p_body, 0.0, message("get_rustle() needs a body or a registered node."));
+	const auto layers_at = [this](const Eigen::Vector2f &p_place) { return _standing.layers_at(p_place); };
+	return _standing.stands() ? _bodies.find_rustle(_standing.get_field(), layers_at, p_body->get_instance_id()) : 0.0;
+}
+
 Vector3 GrassField::get_bend_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(Vector3());
 	return prepare_places() ? places().bend_at(p_global_position) : Vector3();

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "physics/field_bodies.h"
 
+#include "core/field/grass_at.h"
 #include "shared/parallel.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -20,6 +25,20 @@ bool is_engines_own_server() {
 	return is_own;
 }
 
+// Returns how many blades stand in the strip over which a collider moved in the tick, if it was low enough to touch them.
+double blades_below(const Field &p_field, const LayersAt &p_layers, const ColliderShape &p_collider) {
+	ColliderShape still = p_collider;
+	still.before = still.now;
+	const Bounds bounds = still.get_swept_bounds();
+	const Eigen::Vector3d way = p_collider.now.position - p_collider.before.position, size = bounds.max - bounds.min;
+	const Eigen::Vector2f place = Eigen::Vector2d(p_collider.now.position.x(), p_collider.now.position.z()).cast<float>();
+	const MapLayers *layers = p_layers(place);
+	const Canopy canopy = canopy_at(p_field, place, layers);
+	const bool touches = canopy.height > 0.0 && bounds.max.y() > canopy.ground &&
+			bounds.min.y() < canopy.ground + height_at(p_field, place, layers); // what it bends itself stands as high for it
+	return touches ? canopy.blades * (std::abs(way.x()) * size.z() + std::abs(way.z()) * size.x()) : 0.0;
+}
+
 } // namespace
 
 void FieldBodies::collect(
@@ -29,6 +48,8 @@ void FieldBodies::collect(
 	const Vector3 half(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
+	_collected_in = Engine::get_singleton()->get_physics_frames();
+	_delta = p_delta;
 	_tracker.set_box(p_transform, half, p_delta);
 	_tracker.collect(p_transform, tick, p_field.get_tiles(), is_engines_own_server() ? run_parallel : serial_for, _colliders);
 	const FieldReach reach(p_world, p_transform, half, _tracker.get_mask());
@@ -36,6 +57,20 @@ void FieldBodies::collect(
 	_wheels.collect(reach, tick, _colliders);
 	_bones.collect(reach, tick, _colliders);
 	_soft_bodies.collect(reach, tick, _colliders);
+}
+
+// Of several shapes the one that moves over most, since they overlap.
+double FieldBodies::find_rustle(const Field &p_field, const LayersAt &p_layers, uint64_t p_node) const {
+	double most = 0.0;
+	if (Engine::get_singleton()->get_physics_frames() > _collected_in + 1) {
+		return most;
+	}
+	for (const ColliderShape &collider : _colliders) {
+		if (collider.owner == p_node && collider.force == ColliderShape::NO_FORCE && collider.has_moved()) {
+			most = std::max(most, blades_below(p_field, p_layers, collider) / _delta);
+		}
+	}
+	return most;
 }
 
 ParallelFor FieldBodies::get_parallel_for() const {

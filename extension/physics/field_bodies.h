@@ -3,6 +3,7 @@
 // registered. Also finds which of them are in the grass.
 #pragma once
 
+#include "core/field/canopy.h"
 #include "core/field/field.h"
 #include "core/field/field_statistics.h"
 #include "core/field/visitors.h"
@@ -39,6 +40,10 @@ public:
 	// Must be called when the field is removed. Returns the bodies that were in its grass.
 	std::vector<uint64_t> leave() { return _visitors.leave(); }
 
+	// Returns how many blades a second a node's bodies moved over in the last tick, where they touch grass. It is 0 in ticks that the field
+	// leaves out.
+	double find_rustle(const Field &p_field, const LayersAt &p_layers, uint64_t p_node) const;
+
 	int64_t get_count() const { return _tracker.body_count(); } // of the physics server
 	void add_to(FieldStatistics &r_statistics) const;
 
@@ -50,6 +55,8 @@ private:
 	SoftBodies _soft_bodies;
 	std::vector<ColliderShape> _colliders; // of this tick
 	Visitors _visitors;
+	uint64_t _collected_in = 0; // the physics tick
+	double _delta = 0.0; // seconds of it
 };
 
 } // namespace grass

@@ -9,6 +9,9 @@
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <utility>
 
 using namespace godot;
 
@@ -25,6 +28,8 @@ struct Current {
 	bool is_known = false;
 	GrassQuality::Level level = GrassQuality::LEVEL_HIGH;
 	Ref<GrassQuality> custom;
+	Ref<GrassQuality> shown; // get_current(); null: nobody has asked for it
+	GrassQuality::Level shown_level = GrassQuality::LEVEL_HIGH; // that it was last told of
 };
 
 Current &current() {
@@ -36,36 +41,41 @@ bool is_level(int64_t p_level) {
 	return p_level >= 0 && p_level <= GrassQuality::LEVEL_CUSTOM;
 }
 
+struct Start {
+	GrassQuality::Level level = GrassQuality::LEVEL_HIGH;
+	Ref<GrassQuality> custom;
+};
+
 // The editor shows grass as it was designed.
-void read_project() {
-	Current &now = current();
-	now = { true, GrassQuality::LEVEL_HIGH, {} };
+Start read_project() {
 	if (Engine::get_singleton()->is_editor_hint()) {
-		return;
+		return {};
 	}
 	const ProjectSettings *settings = ProjectSettings::get_singleton();
 	const int64_t level = settings->get_setting_with_override(LEVEL_SETTING);
-	ERR_FAIL_COND_MSG(!is_level(level),
+	ERR_FAIL_COND_V_MSG(!is_level(level), {},
 			vformat("The project setting %s is %d, but must be 0 (Low) to 4 (Custom). Grass is drawn as designed (High).", LEVEL_SETTING,
 					level));
 	if (level != GrassQuality::LEVEL_CUSTOM) {
-		now.level = GrassQuality::Level(level);
-		return;
+		return { GrassQuality::Level(level), {} };
 	}
 	const String path = settings->get_setting_with_override(CUSTOM_SETTING);
 	const Ref<GrassQuality> custom = path.is_empty() ? Ref<Resource>() : ResourceLoader::get_singleton()->load(path);
-	ERR_FAIL_COND_MSG(custom.is_null(),
+	ERR_FAIL_COND_V_MSG(custom.is_null(), {},
 			vformat("The project setting %s is Custom, but %s ('%s') is not the file of a GrassQuality. Grass is drawn as designed (High).",
 					LEVEL_SETTING, CUSTOM_SETTING, path));
-	now.custom = custom;
-	now.level = GrassQuality::LEVEL_CUSTOM;
+	return { GrassQuality::LEVEL_CUSTOM, custom };
 }
 
 Current &known() {
-	if (!current().is_known) {
-		read_project();
+	Current &now = current();
+	if (!now.is_known) {
+		now.is_known = true;
+		const Start start = read_project();
+		now.level = start.level;
+		now.custom = start.custom;
 	}
-	return current();
+	return now;
 }
 
 } // namespace
@@ -86,12 +96,60 @@ const Quality &current_quality() {
 	return quality;
 }
 
+// Changes what is in force, and tells who listens to get_current().
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it may be the reference that is in force
+void GrassQuality::take(Level p_level, Ref<GrassQuality> p_custom) {
+	Current &now = known();
+	now.level = p_level;
+	const Ref<GrassQuality> before = std::exchange(now.custom, p_custom);
+	if (now.shown.is_null()) {
+		return;
+	}
+	if (before != p_custom) {
+		now.shown->listen_to(before, p_custom);
+	}
+	now.shown->_show();
+}
+
+void GrassQuality::listen_to(const Ref<GrassQuality> &p_before, const Ref<GrassQuality> &p_now) {
+	const Callable show = callable_mp(this, &GrassQuality::_show);
+	if (p_before.is_valid() && p_before->is_connected("changed", show)) {
+		p_before.ptr()->disconnect("changed", show);
+	}
+	if (p_now.is_valid()) {
+		p_now.ptr()->connect("changed", show);
+	}
+}
+
+void GrassQuality::_show() {
+	GRASS_LATER_ON_MAIN_THREAD(&GrassQuality::_show); // another thread changed a factor
+	Current &now = known();
+	const Quality &quality = current_quality();
+	if (std::exchange(now.shown_level, now.level) != now.level || _quality != quality) {
+		_quality = quality;
+		emit_changed();
+	}
+}
+
+Ref<GrassQuality> GrassQuality::get_current() {
+	ERR_FAIL_COND_V_MSG(!is_main_thread(), Ref<GrassQuality>(), thread_message("GrassQuality", call_of(__func__)));
+	Current &now = known();
+	if (now.shown.is_null()) {
+		now.shown.instantiate();
+		now.shown->_is_current = true;
+		now.shown->_quality = current_quality();
+		now.shown->listen_to({}, now.custom);
+		now.shown_level = now.level;
+	}
+	return now.shown;
+}
+
 void GrassQuality::set_level(Level p_level) {
 	ERR_FAIL_COND_MSG(!is_main_thread(), thread_message("GrassQuality", call_of(__func__)));
 	ERR_FAIL_COND_MSG(!is_level(int64_t(p_level)), NOT_A_LEVEL);
 	ERR_FAIL_COND_MSG(p_level == LEVEL_CUSTOM && known().custom.is_null(),
 			"GrassQuality: LEVEL_CUSTOM needs factors. Call set_custom() with a GrassQuality instead.");
-	known().level = p_level;
+	take(p_level, known().custom);
 }
 
 GrassQuality::Level GrassQuality::get_level() {
@@ -102,8 +160,8 @@ GrassQuality::Level GrassQuality::get_level() {
 void GrassQuality::set_custom(const Ref<GrassQuality> &p_quality) {
 	ERR_FAIL_COND_MSG(!is_main_thread(), thread_message("GrassQuality", call_of(__func__)));
 	ERR_FAIL_COND_MSG(p_quality.is_null(), "GrassQuality: set_custom() needs a GrassQuality. To leave LEVEL_CUSTOM, call set_level().");
-	known().custom = p_quality;
-	known().level = LEVEL_CUSTOM;
+	ERR_FAIL_COND_MSG(p_quality->_is_current, "GrassQuality: set_custom() needs a GrassQuality of your own, not that of get_current().");
+	take(LEVEL_CUSTOM, p_quality);
 }
 
 Ref<GrassQuality> GrassQuality::get_custom() {
@@ -122,11 +180,14 @@ Ref<GrassQuality> GrassQuality::from_level(Level p_level) {
 
 void GrassQuality::reset_level() {
 	ERR_FAIL_COND_MSG(!is_main_thread(), thread_message("GrassQuality", call_of(__func__)));
-	read_project();
+	const Start start = read_project();
+	take(start.level, start.custom);
 }
 
 void GrassQuality::set_param(int64_t p_param, double p_value) {
 	ERR_FAIL_INDEX(p_param, int64_t(QUALITY_FACTORS));
+	ERR_FAIL_COND_MSG(
+			_is_current, label() + String(": get_current() shows the factors in force. To set them, pass others to set_custom()."));
 	replace_in(*this, _quality.factors[size_t(p_param)], checked(QUALITY_TABLE[size_t(p_param)].tunable, p_value, label()));
 }
 
@@ -145,6 +206,7 @@ void GrassQuality::_bind_methods() {
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_level"), &GrassQuality::get_level);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("set_custom", "quality"), &GrassQuality::set_custom);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_custom"), &GrassQuality::get_custom);
+	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_current"), &GrassQuality::get_current);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("from_level", "level"), &GrassQuality::from_level);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("reset_level"), &GrassQuality::reset_level);
 	BIND_ENUM_CONSTANT(LEVEL_LOW);

@@ -29,6 +29,8 @@ public:
 	static Level get_level();
 	static void set_custom(const godot::Ref<GrassQuality> &p_quality); // and LEVEL_CUSTOM
 	static godot::Ref<GrassQuality> get_custom(); // null: none was set
+	// Returns the factors in force: always the same object, which emits `changed`.
+	static godot::Ref<GrassQuality> get_current();
 	static godot::Ref<GrassQuality> from_level(Level p_level); // a new one
 	static void reset_level(); // to the project's
 
@@ -37,8 +39,12 @@ protected:
 
 private:
 	godot::String label() const { return label_of(*this); } // for messages
+	static void take(Level p_level, godot::Ref<GrassQuality> p_custom);
+	void listen_to(const godot::Ref<GrassQuality> &p_before, const godot::Ref<GrassQuality> &p_now);
+	void _show();
 
 	Quality _quality;
+	bool _is_current = false; // it is get_current()
 };
 
 // Returns the factors that all fields have now. Fields compare them once in each frame, so nobody needs to notify them. Main thread.

@@ -4,6 +4,7 @@
 
 #include "grown_tile.h"
 
+#include "core/field/canopy.h"
 #include "core/field/grass_at.h"
 #include "core/field/visitors.h"
 #include "core/solver/simulate.h"
@@ -157,6 +158,25 @@ TEST_CASE("field: a ball bends the blades of its tile, which rise and sleep when
 	CHECK(scene.field.get_tiles().get_statistics().awake == 0);
 	CHECK(scene.bend_of(8, 8) == 0.0);
 	CHECK(scene.simulator.steps < 80);
+}
+
+TEST_CASE("canopy: grass that a ball presses hides less at its old height, and all of it stands again [Eq V2]") {
+	FieldScene scene;
+	scene.setup.clump = { 1.6f, 0.0f, 0.0f, 0.0f };
+	scene.field.set(scene.setup, scene.field.bounds_of(scene.setup), nullptr, {}, scene.params);
+	const auto hidden = [&](double p_height) {
+		return hidden_share(scene.field, [](const Eigen::Vector2f &) { return nullptr; }, { 0.1, p_height, 0.5 }, { 0.9, p_height, 0.5 });
+	};
+	const double high = scene.setup.patch->mean_height - 0.01, before = hidden(high), low = hidden(0.01);
+	CHECK(before > 0.1);
+	scene.put_ball({ 0.5, 0.1, 0.5 });
+	scene.bodies[0].size.x() = 0.6;
+	scene.ticks(20);
+	CHECK(hidden(high) < 0.5 * before);
+	CHECK(hidden(0.01) > low); // the same blades in less height
+	scene.bodies.clear();
+	scene.ticks(240);
+	CHECK(hidden(high) == doctest::Approx(before));
 }
 
 TEST_CASE("field: blades go on to the bit while the pool becomes smaller and larger") {

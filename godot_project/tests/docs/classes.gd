@@ -207,6 +207,33 @@ func grass_field_get_mown_share() -> void:
 	assert_ne(stage.get_node("Label").text, "0 % mown")
 
 
+func grass_field_get_cover() -> void:
+	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(4, 0, 0.25))
+	stage.enemy.position = Vector3(-4, 0, 0.25)
+	assert_false(stage.call("sees", stage.enemy), "8 m of meadow between them")
+	stage.enemy.position = Vector3(3.5, 0, 0.25)
+	assert_true(stage.call("sees", stage.enemy), "from half a metre away")
+
+
+func grass_field_get_rustle() -> void:
+	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(0.25, 0.3, 0.25))
+	var rustle: AudioStreamPlayer3D = stage.get_node("Rustle")
+	await ticks(2)
+	assert_near(rustle.volume_linear, 0.0, 1e-4, "at rest")
+	for step in 10:
+		stage.player.position.x += 0.02
+		await ticks(1)
+	assert_greater(rustle.volume_linear, 0.1)
+
+
+func grass_quality_get_current() -> void:
+	await ran()
+	var heard := GrassQuality.get_current().changed.get_connections().size()
+	assert_greater(heard, 0)
+	for connection in GrassQuality.get_current().changed.get_connections():
+		GrassQuality.get_current().changed.disconnect(connection.callable)
+
+
 func grass_field_get_height_at() -> void:
 	var stage := await ran()
 	assert_true(stage.locals.is_hidden, "crouching in a meadow of the default patch")

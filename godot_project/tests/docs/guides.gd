@@ -18,6 +18,8 @@ func performance_one_switch_for_the_options_menu() -> void:
 	var field := add_field({pool_tiles = 400})
 	var menu := OptionButton.new()
 	menu.set_script(block_script())
+	var file: String = block_script().get_script_constant_map()["FILE"]
+	DirAccess.remove_absolute(file)
 	add_child(menu)
 	assert_eq(menu.selected, GrassQuality.LEVEL_HIGH)
 	for level in menu.item_count:
@@ -25,6 +27,16 @@ func performance_one_switch_for_the_options_menu() -> void:
 		await ticks(2)
 		assert_eq(GrassQuality.get_level(), level)
 		assert_eq(field.get_counters().pool_tiles, [100, 200, 400, 800][level])
+	GrassQuality.set_level(GrassQuality.LEVEL_LOW)
+	assert_eq(menu.selected, GrassQuality.LEVEL_LOW, "another menu changed it")
+	menu.free()
+	GrassQuality.reset_level()
+	menu = OptionButton.new()
+	menu.set_script(block_script())
+	add_child(menu)
+	assert_eq(menu.selected, GrassQuality.LEVEL_ULTRA, "the last choice is remembered")
+	menu.free()
+	DirAccess.remove_absolute(file)
 	GrassQuality.reset_level()
 
 
@@ -94,13 +106,17 @@ func game_footsteps_paths_and_hiding() -> void:
 	assert_near(stage.field.species[0].wear_recovery, 0.02, 1e-6)
 	await seen()
 	assert_true(stage.get_node("Rustle").playing, "the player has entered grass")
-	assert_true(stage.call("is_player_hidden"), "crouching in a meadow of the default patch")
+	stage.player.position.y = 0.0
+	stage.enemy.position = Vector3(-6, 0, 0.25)
+	assert_true(stage.call("is_player_hidden", stage.enemy), "crouching in a meadow of the default patch")
 	stage.player.is_crouching = false
-	assert_false(stage.call("is_player_hidden"), "standing")
+	assert_false(stage.call("is_player_hidden", stage.enemy), "standing")
 	stage.player.is_crouching = true
-	for step in 60:
-		stage.call("_on_footstep", stage.player)
-	assert_false(stage.call("is_player_hidden"), "on a trodden path")
+	for step in 400:
+		stage.foot.position = Vector3(-0.02 * step, 0, 0.25)
+		stage.call("_on_footstep", stage.foot)
+		stage.call("_on_footstep", stage.foot)
+	assert_false(stage.call("is_player_hidden", stage.enemy), "along a trodden path")
 	await press(stage, Vector3(4.25, 0, 4.25))
 	stage.enemy.position = Vector3(4.25, 0, 4.25)
 	await ticks(60)
@@ -109,13 +125,35 @@ func game_footsteps_paths_and_hiding() -> void:
 	assert_false(stage.call("sees_trail", stage.enemy), "where nobody was")
 
 
+func game_footsteps_paths_and_hiding_2() -> void:
+	var field := add_field({size = Vector2(12, 12), map = full_map()})
+	var sheep := CharacterBody3D.new()
+	sheep.set_script(block_script())
+	add_shape(sheep, ball(0.3))
+	sheep.position = Vector3(-2, 0.3, 0.25)
+	sheep.motion_mode = CharacterBody3D.MOTION_MODE_FLOATING
+	sheep.set("field", field)
+	add_child(sheep)
+	sheep.velocity = Vector3(2, 0, 0)
+	await ticks(60)
+	assert_near(field.map.sample(GrassMap.CHANNEL_WEAR, Vector2(-0.6, 0.25)), 0.03, 0.02, "a step, and not one in each tick")
+	sheep.velocity = Vector3.ZERO
+	await ticks(120)
+	assert_less(field.map.sample(GrassMap.CHANNEL_WEAR, Vector2(0.0, 0.25)), 0.07, "a sheep that stands treads nothing")
+
+
 func game_dew_fireflies_and_rustling() -> void:
 	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(0.25, 0.3, 0.25))
 	await ticks(20)
 	var blades: PackedInt64Array = stage.get("blades")
 	assert_greater(blades.size(), 100)
 	assert_eq(stage.get_node("Firefly").global_position, stage.field.wait_for_knots(blades)[15])
-	assert_greater((stage.get_node("Rustle") as AudioStreamPlayer3D).volume_linear, 0.01, "the player stands in the grass and bends it")
+	var rustle: AudioStreamPlayer3D = stage.get_node("Rustle")
+	assert_near(rustle.volume_linear, 0.0, 1e-4, "the player stands")
+	for step in 10:
+		stage.player.position.x += 0.02
+		await ticks(1)
+	assert_greater(rustle.volume_linear, 0.1, "it walks")
 
 
 func game_saving() -> void:

@@ -237,3 +237,35 @@ func test_the_guide_has_the_factors() -> void:
 		for level in LEVELS:
 			cells.append(String.num(GrassQuality.from_level(level).get(factor), 2).trim_suffix(".0"))
 		assert_true(page.contains("| %s |" % " | ".join(cells)), "| %s |" % " | ".join(cells))
+
+
+func test_who_listens_hears_of_another_level_once() -> void:
+	var heard: Array[GrassQuality.Level] = []
+	var listen := func() -> void: heard.append(GrassQuality.get_level())
+	var now := GrassQuality.get_current()
+	now.changed.connect(listen)
+	assert_eq(now, GrassQuality.get_current(), "always the same")
+	assert_eq(now.lod_far, 1.0)
+	GrassQuality.set_level(GrassQuality.LEVEL_HIGH)
+	assert_eq(heard.size(), 0, "the same level again")
+	GrassQuality.set_level(GrassQuality.LEVEL_LOW)
+	assert_eq(now.lod_far, 0.4)
+	var own := GrassQuality.from_level(GrassQuality.LEVEL_LOW)
+	GrassQuality.set_custom(own)  # the same factors, another level
+	own.lod_far = 0.5
+	assert_eq(now.lod_far, 0.5)
+	GrassQuality.set_level(GrassQuality.LEVEL_MEDIUM)
+	own.lod_far = 0.6  # of no level now
+	GrassQuality.reset_level()
+	own.lod_far = 0.7  # nobody's any more
+	assert_eq(
+		heard,
+		[GrassQuality.LEVEL_LOW, GrassQuality.LEVEL_CUSTOM, GrassQuality.LEVEL_CUSTOM, GrassQuality.LEVEL_MEDIUM, GrassQuality.LEVEL_HIGH]
+	)
+	expect_error("get_current() shows the factors in force")
+	now.lod_far = 2.0
+	assert_eq(now.lod_far, 1.0)
+	expect_error("set_custom() needs a GrassQuality of your own")
+	GrassQuality.set_custom(now)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH)
+	now.changed.disconnect(listen)
