@@ -60,15 +60,16 @@ bool FieldWork::find_region(
 }
 
 // Says so if it is. A call that is refused does nothing at all.
-bool FieldWork::is_too_large(const char *p_method, double p_area, const char *p_remedy) const {
-	ERR_FAIL_COND_V_MSG(p_area > double(AREA_MAX), true,
+bool FieldWork::is_too_large(const char *p_method, double p_area, int64_t p_most, const char *p_remedy) const {
+	const char *limit = p_most == AREA_MAX ? "AREA_MAX" : "RAYS_AREA_MAX";
+	ERR_FAIL_COND_V_MSG(p_area > double(p_most), true,
 			_host.message(vformat(
-					"%s() would act on %.0f square metres, and acts on %d at most (AREA_MAX). %s", p_method, p_area, AREA_MAX, p_remedy)));
+					"%s() would act on %.0f square metres, and acts on %d at most (%s). %s", p_method, p_area, p_most, limit, p_remedy)));
 	return false;
 }
 
 bool FieldWork::is_too_large(const char *p_method, const std::optional<Footprint> &p_footprint) const {
-	return is_too_large(p_method, area_of(mow_region(p_footprint)), "Call it with several smaller shapes, in as many frames.");
+	return is_too_large(p_method, area_of(mow_region(p_footprint)), AREA_MAX, "Call it with several smaller shapes, in as many frames.");
 }
 
 double FieldWork::find_area(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) const {
@@ -242,7 +243,7 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask, bool p_is_
 	const std::optional<MapRegion> region = bake_region(p_region);
 	if (!region ||
 			(p_is_bounded &&
-					is_too_large("bake_ground", area_of({ nullptr, region->shared(ground()) }),
+					is_too_large("bake_ground", area_of({ nullptr, region->shared(ground()) }), RAYS_AREA_MAX,
 							"Call it with several smaller regions, in as many frames."))) {
 		return 0;
 	}
@@ -255,7 +256,12 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a finite transform."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
-	const MapRegion region = ground().grown(GROUND_BORDER);
+	const MapRegion region = ground().grown(GROUND_BORDER).shared(ground_shape_bounds(p_shape, to_field() * to_eigen(p_transform)));
+	if (!region.has_area() ||
+			is_too_large("bake_ground_from", area_of({ nullptr, region.shared(ground()) }), AREA_MAX,
+					"Give it the ground in several smaller shapes, in as many frames.")) {
+		return 0;
+	}
 	HeightSheet sheet(region.grown(GroundReading::REACH * info_of(MAP_GROUND).texel_size()));
 	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
 	return lay_ground_by(

@@ -48,7 +48,7 @@ private:
 	Eigen::Affine3d to_field() const; // from the world
 	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
 			std::optional<Footprint> &r_footprint) const;
-	bool is_too_large(const char *p_method, double p_area, const char *p_remedy) const;
+	bool is_too_large(const char *p_method, double p_area, int64_t p_most, const char *p_remedy) const;
 	bool is_too_large(const char *p_method, const std::optional<Footprint> &p_footprint) const;
 	MapRegion ground() const;
 	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }

@@ -11,6 +11,8 @@ namespace grass {
 inline constexpr int64_t BLADES_MAX = 1 << 20;
 // Ground that a deed changes or a query looks at, seen from above, m^2: 1,024 m x 1,024 m.
 inline constexpr int64_t AREA_MAX = 1 << 20;
+// Ground that rays read: 512 m x 512 m, a ray for each square metre.
+inline constexpr int64_t RAYS_AREA_MAX = 1 << 18;
 // Length of a line through the grass, metres.
 inline constexpr int64_t COVER_DISTANCE_MAX = 256;
 

@@ -94,6 +94,7 @@ public:
 	void end_preview();
 	bool is_preview() const { return _standing.get_map() != nullptr && _standing.get_map()->is_preview(); }
 	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass added
+	double fill_whole(const godot::Ref<GrassFillRule> &p_rule); // for the editor: however large the field is
 	godot::Callable get_fill_button() const;
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _properties.seed; }

@@ -176,6 +176,7 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_SIMULATED);
 	ClassDB::bind_integer_constant("GrassField", StringName(), "BLADES_MAX", BLADES_MAX);
 	ClassDB::bind_integer_constant("GrassField", StringName(), "AREA_MAX", AREA_MAX);
+	ClassDB::bind_integer_constant("GrassField", StringName(), "RAYS_AREA_MAX", RAYS_AREA_MAX);
 	ClassDB::bind_integer_constant("GrassField", StringName(), "COVER_DISTANCE_MAX", COVER_DISTANCE_MAX);
 	for (size_t reason = 0; reason < BARE_REASONS.size(); reason++) { // see explain()
 		ClassDB::bind_integer_constant("GrassField", "Reason", BARE_REASONS[reason], int64_t(reason));

@@ -3,6 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "field/statistics_dictionary.h"
+#include "field/work_limits.h"
 #include "shared/build_info.h"
 #include "shared/main_thread.h"
 
@@ -167,6 +168,16 @@ int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transfor
 double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	ERR_FAIL_COND_V_MSG(p_rule.is_null(), 0.0, message("fill() needs a GrassFillRule."));
+	const double area = double(_properties.size.x) * double(_properties.size.y);
+	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), 0.0,
+			message(vformat(
+					"fill() would fill %.0f square metres at once, and fills %d at most (AREA_MAX). Set the rule as `fill_rule`, which "
+					"fills some of it in each frame.",
+					area, AREA_MAX)));
+	return fill_whole(p_rule);
+}
+
+double GrassField::fill_whole(const Ref<GrassFillRule> &p_rule) {
 	if (need_map("fill") == nullptr) {
 		return 0.0;
 	}

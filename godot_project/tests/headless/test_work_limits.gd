@@ -27,7 +27,7 @@ func test_blades() -> void:
 func test_areas() -> void:
 	var field := add_field({size = Vector2(2048, 1024), density = 1.0})
 	await ticks(1)
-	for method: String in ["cut", "get_mown_share", "regrow", "bake_ground"]:
+	for method: String in ["cut", "get_mown_share", "regrow", "bake_ground", "bake_ground_from"]:
 		expect_error("%s() would act on" % method)
 	assert_eq(field.cut(_box(Vector3(3000, 1, 3000)), Transform3D()).area, 0.0)
 	assert_true(field.map == null, "a call that is refused makes no map")
@@ -37,6 +37,13 @@ func test_areas() -> void:
 	assert_eq(field.get_mown_share(_box(Vector3(8, 1, 8)), Transform3D()), 1.0, "nothing has grown")
 	assert_eq(field.bake_ground(), 0)
 	assert_eq(field.bake_ground(Rect2(-1, -1, 2, 2)), 0, "no ground there, and no error")
+	var ground := HeightMapShape3D.new()
+	ground.map_width = 11
+	ground.map_depth = 11
+	assert_eq(field.bake_ground_from(ground, Transform3D(Basis().scaled(Vector3(300, 1, 300)), Vector3.ZERO)), 0)
+	assert_near(field.bake_ground_from(ground, Transform3D(Basis(), Vector3(0, 2, 0))), 100, 10, "of 10 x 10 m in a field of 2 km²")
+	expect_error("fill() would fill 2097152 square metres at once")
+	assert_eq(field.fill(GrassFillRule.new()), 0.0)
 	# A square of 1,024 m is just allowed.
 	assert_near(field.get_mown_share(_box(Vector3(1024, 9, 1024)), Transform3D(Basis(), Vector3(512, 0, 0))), 0.0, 0.001)
 
