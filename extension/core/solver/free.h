@@ -46,7 +46,7 @@ template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_bla
 		add_to_liveliness(lively, p_start.place[s + 1] - p_start.place[s], p_start.moved[s + 1] - p_start.moved[s], p_blade.lengths[s]);
 	}
 	lively.bending = lively.bending / (segments_in_one(p_blade) * segments_in_one(p_blade));
-	return free_step(lively, p_terms.wild_move * p_terms.wild_move, p_terms.drag * p_terms.seconds);
+	return free_step(lively, p_terms.wild_move * p_terms.wild_move, p_terms.drag * p_terms.seconds, p_terms.still_turns);
 }
 
 // The positions at which a free blade's forces are computed, and where its step would end without them.

@@ -25,7 +25,8 @@ template <class T> struct Blade {
 
 // The coefficients of a GrassStep, and other values that are the same for all blades of a tile.
 template <class T> struct StepTerms {
-	T keep, pull, pull_root, straighten; // GrassStep.pbd_motion
+	T keep, pull, pull_root, straighten; // GrassStep.pbd_motion of METHOD_PBD
+	T still_turns; // GrassStep.pbd_motion.y of METHOD_DIRECT
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
@@ -42,7 +43,7 @@ template <class T> struct StepTerms {
 template <class T>
 StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, bool p_is_far = false) {
 	const float finer = p_is_far ? 1.0f : p_step.pbd_motion.x;
-	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
+	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w), T(p_step.pbd_motion.y),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z) * T(p_step.free_motion.z), T(p_step.chain.w), T(p_step.free_motion.x),
 		T(p_step.free_motion.y), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),

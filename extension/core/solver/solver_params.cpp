@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace grass {
 
@@ -122,6 +123,7 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	const bool passes = p_delta > 0.0 && std::isfinite(p_delta);
 	if (passes) {
 		const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
+		follow_load(p_params.sanitised().load);
 		_delta_before = _last > 0.0 ? _last : h;
 		_delta = _last = h;
 	} else {
@@ -130,15 +132,31 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	return repeat(p_params);
 }
 
+// A jump is how far a load is from where its last slope, or twice that, would have led it: so a smooth load has none.
+void StepClock::follow_load(const double (&p_load)[3]) {
+	for (int i = 0; i < 3; i++) {
+		const double slope = _last > 0.0 ? (p_load[i] - _load[i]) / _last : 0.0, before = std::exchange(_load_slope[i], slope);
+		const double steady = slope * before > 0.0 ? std::copysign(std::min(std::abs(slope), 2.0 * std::abs(before)), slope) : 0.0;
+		_load_jump[i] = (slope - steady) * _last;
+		_load[i] = p_load[i];
+	}
+}
+
 GrassStep StepClock::repeat(const SolverParams &p_params) const {
-	const SolverParams params = p_params.sanitised();
+	SolverParams params = p_params.sanitised();
 	GrassStep step;
 	if (_delta <= 0.0) {
 		return step;
 	}
 	const double h = _delta, g = _delta_before, swing = RADIANS_PER_CYCLE * params.natural_frequency;
+	bool jumps = false;
+	for (int i = 0; i < 3; i++) {
+		params.load[i] -= _load_jump[i] * (g / (h + g));
+		jumps = jumps || _load_jump[i] != 0.0;
+	}
 	if (params.method == Method::DIRECT) {
 		set_direct_motion(step, params, h, g);
+		step.pbd_motion.y = jumps ? 1.0f : float(h / (h + g));
 	} else {
 		set_pbd_motion(step, params, h, g);
 	}

@@ -51,7 +51,8 @@ struct SolverParams {
 	double swing_speed_max = SWING_SPEED_MAX.initial; // blade lengths per second
 	int iterations = int(ITERATIONS.initial);
 	double contact_rate = CONTACT_RATE.initial; // Hz
-	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, in addition to the gravity that the rest pose already includes
+	// m/s^2 on every knot as a step begins, in addition to the gravity that the rest pose already includes.
+	double load[3] = { 0.0, 0.0, 0.0 };
 
 	// [Eq S1] Returns the energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast enough to
 	// swing farther. J/kg.
@@ -80,9 +81,14 @@ public:
 	void reset() { *this = StepClock(); }
 
 private:
+	// [Eq 22] Finds by how much the load has jumped.
+	void follow_load(const double (&p_load)[3]);
+
 	double _delta = 0.0; // of the last advance(), seconds; 0: no time passed in it
 	double _delta_before = 0.0; // of the step before that one, or else its own
 	double _last = 0.0; // of the last one in which time passed; 0: none yet
+	double _load[3]{}, _load_slope[3]{}; // as that step began, m/s^2; its change in the step before, m/s^3
+	double _load_jump[3]{}; // m/s^2, as that step began
 };
 
 } // namespace grass
