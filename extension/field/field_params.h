@@ -114,7 +114,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_FRICTION, FRICTION, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SWING_SPEED_MAX, SWING_SPEED_MAX, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_ITERATIONS, ITERATIONS, Effect::STEP, "Simulation" },
-	FieldParam{ PARAM_CONTACT_RATE, CONTACT_RATE, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_CONTACT_RATE, CONTACT_RATE, Effect::STEP, "Simulation", QUALITY_CONTACT_RATE },
 	FieldParam{ PARAM_CONTACT_DISTANCE, CONTACT_DISTANCE, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SIMULATION_BUDGET, SIMULATION_BUDGET, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SLEEP_MOTION, SLEEP_MOTION, Effect::STEP, "Simulation" },

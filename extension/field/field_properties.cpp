@@ -65,7 +65,7 @@ SolverParams FieldProperties::solver() const {
 	solver.friction = param(PARAM_FRICTION);
 	solver.swing_speed_max = param(PARAM_SWING_SPEED_MAX);
 	solver.iterations = int(param(PARAM_ITERATIONS));
-	solver.contact_rate = param(PARAM_CONTACT_RATE);
+	solver.contact_rate = scaled(PARAM_CONTACT_RATE);
 	return solver;
 }
 

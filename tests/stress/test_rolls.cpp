@@ -14,7 +14,7 @@ using grass_32::test::roll_32_through;
 
 TEST_CASE("stress: the median blade of 32 knots that a ball rolls over is nearer to its limit than that of 16") {
 	const float speeds[] = { 5.0f, 0.5f, 1.0f, 2.0f, 3.0f, 8.0f }; // m/s
-	constexpr Stepping LIMIT{ 5760.0, 8, CONTACT_RATE.initial };
+	constexpr Stepping LIMIT{ 5760.0, 8, CONTACT_RATE.minimum };
 	constexpr int WEIGHT = 40; // of a speed, so long does it take: under a sanitizer none is left
 	std::string figures[std::size(speeds)]; // shown at the end: doctest's messages are of the main thread
 	check_each(sized(WEIGHT, WEIGHT * int(std::size(speeds))) / WEIGHT, [&](int i) {
@@ -27,7 +27,7 @@ TEST_CASE("stress: the median blade of 32 knots that a ball rolls over is nearer
 		std::string wrong;
 		for (const double rate : { 30.0, 60.0, 144.0 }) {
 			for (const int iterations : { 2, 4, 8 }) {
-				const Stepping stepping{ rate, iterations, CONTACT_RATE.initial };
+				const Stepping stepping{ rate, iterations, CONTACT_RATE.minimum };
 				std::vector<double> errors, errors_32;
 				for (int kind = 0; kind < 4; kind++) {
 					add_errors(roll_through(roll_of(kind), stepping, rate), limits[kind], size_t(720.0 / rate), errors);

@@ -423,7 +423,7 @@ TEST_CASE("field: chains are halved in far tiles once their blades are calm and 
 	CHECK(count(30.0f, true, Method::PBD) == 0);
 }
 
-TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above its default") {
+TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above its least") {
 	FieldScene scene;
 	const auto is_far = [&](float p_away, double p_rate) {
 		scene.params.solver.contact_rate = p_rate;
@@ -437,7 +437,8 @@ TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above 
 	};
 	CHECK(is_far(20.0f, 1600.0));
 	CHECK_FALSE(is_far(2.0f, 1600.0));
-	CHECK_FALSE(is_far(20.0f, CONTACT_RATE.initial));
+	CHECK(is_far(20.0f, 800.0));
+	CHECK_FALSE(is_far(20.0f, CONTACT_RATE.minimum));
 }
 
 namespace {

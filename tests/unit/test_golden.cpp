@@ -62,14 +62,17 @@ struct Golden {
 	Method method;
 	std::string lanes; // of any width
 	std::string scalar_double;
+	double contact_rate = CONTACT_RATE.minimum; // Hz
 };
 
 const Golden GOLDEN[] = {
 	{ "swing, direct", swing, Method::DIRECT, "f79358cf6d0f94a2", "4a3640df1adef476" },
 	{ "swing, pbd", swing, Method::PBD, "5706ee41418c0d63", "7cedcdfdd3ca2207" },
 	{ "ball, direct", roll, Method::DIRECT, "af9ca2bf2f3d082b", "d5ee65afc7e94d89" },
+	{ "ball, direct, finer", roll, Method::DIRECT, "c2294aef92d26fec", "ec443130ad69429d", 800.0 },
 	{ "ball, pbd", roll, Method::PBD, "7200d1527d86bdd9", "5bcab1c5628e65e2" },
 	{ "edges, direct", sweep, Method::DIRECT, "20b029bc1760dda5", "ac1c91fa260e7347" },
+	{ "edges, direct, finer", sweep, Method::DIRECT, "26a76cd70b7bec3a", "5af8c27b1c651170", 800.0 },
 	{ "edges, pbd", sweep, Method::PBD, "dc5d23e83c5b0e9b", "6e02ce644a66011c" },
 };
 
@@ -191,6 +194,7 @@ TEST_CASE("golden: every lane width and scalar floats step these scenes to the r
 		for (size_t i = 0; i < steps.size(); i++) {
 			BladeScene scene(golden.method);
 			golden.prepare(scene);
+			scene.params.contact_rate = golden.contact_rate;
 			scene.step_function = steps[i];
 			INFO(golden.name, ", width ", i);
 			CHECK(run(scene).str() == golden.lanes);
@@ -203,6 +207,7 @@ TEST_CASE("golden: scalar doubles step these scenes to the recorded bits") {
 	for (const Golden &golden : GOLDEN) {
 		BladeScene scene(golden.method);
 		golden.prepare(scene);
+		scene.params.contact_rate = golden.contact_rate;
 		scene.step_function = step_scalar_double;
 		INFO(golden.name);
 		CHECK(run(scene).str() == golden.scalar_double);

@@ -96,6 +96,10 @@ template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider
 	return find_face(p_collider, p_point, Ground<T>{ {}, T(0.0f) });
 }
 
+GRASS_INLINE bool is_round(const TileCollider &p_collider) {
+	return p_collider.shape == GRASS_SPHERE || p_collider.shape == GRASS_CAPSULE;
+}
+
 // Returns whether the collider does not move in this step.
 GRASS_INLINE bool stands_still(const TileCollider &p_collider) {
 	const Vec3<float> way = p_collider.centre - p_collider.centre_before;

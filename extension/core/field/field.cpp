@@ -84,7 +84,7 @@ void Field::set_pool_size(Simulator &r_simulator, int p_slots) {
 TileParams Field::tile_params() const {
 	TileParams params;
 	params.pool_size = _setup.pool_size;
-	params.contact_distance = _params.solver.contact_rate > CONTACT_RATE.initial ? _params.contact_distance : 0.0;
+	params.contact_distance = _params.solver.contact_rate > CONTACT_RATE.minimum ? _params.contact_distance : 0.0;
 	params.sleep_mode = _params.sleep_mode;
 	params.sleep_delay = _params.sleep_delay;
 	params.sleep_energy = _params.calm_energy();

@@ -26,6 +26,7 @@ enum QualityFactorId {
 	QUALITY_SHADOW_DISTANCE,
 	QUALITY_SHADOW_COARSENESS,
 	QUALITY_PLANT_DISTANCE,
+	QUALITY_CONTACT_RATE,
 	QUALITY_POOL_TILES,
 	QUALITY_FACTORS,
 };
@@ -47,6 +48,7 @@ inline constexpr std::array QUALITY_TABLE = {
 	QualityFactor{ QUALITY_SHADOW_DISTANCE, { "shadow_distance", "x", 0.0, 4.0, 0.05, 1.0 }, { 0.25, 0.6, 1.0, 1.5 } },
 	QualityFactor{ QUALITY_SHADOW_COARSENESS, { "shadow_coarseness", "x", 0.1, 4.0, 0.05, 1.0 }, { 2.0, 1.5, 1.0, 0.75 } },
 	QualityFactor{ QUALITY_PLANT_DISTANCE, { "plant_distance", "x", 0.1, 1.0, 0.05, 1.0 }, { 0.5, 0.75, 1.0, 1.0 } },
+	QualityFactor{ QUALITY_CONTACT_RATE, { "contact_rate", "x", 0.5, 16.0, 0.5, 1.0 }, { 0.5, 0.5, 1.0, 2.0 } },
 	QualityFactor{ QUALITY_POOL_TILES, { "pool_tiles", "x", 0.0, 4.0, 0.05, 1.0 }, { 0.25, 0.5, 1.0, 2.0 } },
 };
 

@@ -21,7 +21,7 @@ template <class T> struct Touches {
 template <class T> struct Stage {
 	T span; // of the step in seconds
 	bool is_part; // one of several parts of a step beside far-moving colliders
-	float over_inertia; // [Eq 31] how many times harder contact is than a knot's inertia
+	T over_inertia; // [Eq 31] how many times harder contact is than a knot's inertia
 	T most_depth; // deepest contact that a solve can undo, metres; a deeper one is a blow
 	MaskOf<T> is_buried; // [Eq 46] a blow would not free it
 	T caution; // resistance of the joints to one solve, as a share of their stiffness
@@ -57,8 +57,8 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Sta
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
 	r_beyond.touches.depth = maximum(r_beyond.touches.depth, p_touch.depth);
 	r_beyond.touches.blow = maximum(r_beyond.touches.blow, select(is_blow & !p_stage.is_buried, p_touch.depth, T(0.0f)));
-	const T hard = p_own *
-			(p_weight * T(p_stage.over_inertia) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
+	const T hard =
+			p_own * (p_weight * p_stage.over_inertia + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
 	const T at = p_stage.is_part ? first_depth(depth, p_touch.held, skin) : depth;
 	const T stiffness = hard * minimum(maximum(at, T(0.0f)) / skin, T(1.0f));

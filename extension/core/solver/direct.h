@@ -5,8 +5,6 @@
 #include "core/solver/free.h"
 #include "core/solver/near.h"
 
-#include <algorithm>
-
 namespace grass {
 
 // [Eq 36] Returns the share of a speed that is left after rubbing.
@@ -36,17 +34,6 @@ GRASS_INLINE void take_blows(
 			r_stage.target[k] = select(is_blow, r_blade.knots[k], r_stage.target[k]);
 		}
 	}
-}
-
-// [Eq 36] Returns true if no shared collider that may touch the blade is faster than CARRY_FROM.
-template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	const T most = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
-	auto is_fast = T(0.0f) > T(1.0f);
-	for (const TileCollider &collider : p_terms.colliders.first(std::min(p_terms.colliders.size(), size_t(GRASS_SHARED_COLLIDERS)))) {
-		is_fast =
-				is_fast | ((motion_of<T>(collider) > most) & comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)));
-	}
-	return !is_fast;
 }
 
 // [Eq 36] Returns true if no collider that may touch the blade moves in this step. Returns false if there are more than the shared
@@ -166,10 +153,10 @@ GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const V
 }
 
 // [Eq 43] Steps blades beside far-moving colliders in parts of one solve each, with the colliders where they are at that time. r_blade is
-// at the start of the step, and blades that take no part stay there. p_parts: for each blade; p_thin: see Near.
+// at the start of the step, and blades that take no part stay there. p_parts, p_finer: for each blade; p_thin: see Near.
 template <class T>
 GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
-		const T &p_parts, const T &p_thin, const MaskOf<T> &p_is_buried) {
+		const T &p_parts, const T &p_finer, const T &p_thin, const MaskOf<T> &p_is_buried) {
 	using Mask = MaskOf<T>;
 	StepTerms<T> terms = p_terms;
 	terms.iterations = 1;
@@ -188,7 +175,7 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 		stage.weight = T(1.0f) + terms.drag * stage.span;
 		stage.caution = T(CAUTION);
 		stage.is_part = true;
-		stage.over_inertia = over_inertia_in_part(terms.finer);
+		stage.over_inertia = select(p_finer > T(1.0f), T(over_inertia_in_part(terms.finer)), T(over_inertia_in_part(1.0f)));
 		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
 		for (int i = 0; i < parts; i++) {
 			terms.colliders = colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share);
@@ -212,17 +199,18 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Near<T> near = find_near(r_blade, p_terms);
-	const Burial<T> burial = find_burial(r_blade, p_terms);
+	const T finer = own_finer(r_blade, p_terms);
+	const Burial<T> burial = find_burial(r_blade, p_terms, finer);
 	const Mask is_buried = near.is_near & burial.is_buried, is_laid = near.is_near & burial.is_laid;
 	const Mask stays = (is_buried & burial.is_slow) | is_laid;
-	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest));
+	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest, finer));
 	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near & !stays, is_free = !(is_near | is_in_parts | stays);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	Blade<T> parted;
 	if (any(is_in_parts)) {
 		parted = r_blade;
-		step_in_parts(parted, p_terms, chain, start, parts, near.thin, is_buried);
+		step_in_parts(parted, p_terms, chain, start, parts, finer, near.thin, is_buried);
 	}
 	const FreeStep<T> free = make_free_step(r_blade, p_terms, start);
 	const T euler_weight = T(1.0f) + p_terms.drag * seconds;
@@ -232,7 +220,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	stage.weight = select(is_free, free.weight / free.ahead, euler_weight);
 	stage.caution = select(is_free, T(0.0f), T(CAUTION));
 	stage.is_part = false;
-	stage.over_inertia = CONTACT_OVER_INERTIA;
+	stage.over_inertia = T(CONTACT_OVER_INERTIA);
 	stage.is_buried = is_buried;
 	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
 	const Mask none = is_near & !is_near;
@@ -240,7 +228,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
 			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
-		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms);
+		hold.may_stick = hold.may_stick & all_are_slower(r_blade, p_terms, CARRY_FROM);
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}

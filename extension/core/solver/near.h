@@ -63,16 +63,33 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
+// [Eq 36] Returns true if no shared collider that may touch the blade has a point faster than p_speed, blade lengths a second.
+template <class T> GRASS_INLINE MaskOf<T> all_are_slower(const Blade<T> &p_blade, const StepTerms<T> &p_terms, float p_speed) {
+	const T most = p_blade.blade_length * (p_terms.seconds * T(p_speed));
+	MaskOf<T> is_fast = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders.first(std::min(p_terms.colliders.size(), size_t(GRASS_SHARED_COLLIDERS)))) {
+		is_fast =
+				is_fast | ((motion_of<T>(collider) > most) & comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)));
+	}
+	return !is_fast;
+}
+
+// [Eq 43] Returns contact_rate over its least for each blade: 1 beside bodies that creep.
+template <class T> GRASS_INLINE T own_finer(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	return p_terms.finer > 1.0f ? select(all_are_slower(p_blade, p_terms, FINER_FROM), T(1.0f), T(p_terms.finer)) : T(1.0f);
+}
+
 // Whether colliders are on a blade's root at the end of this step, so that its clamp, which cannot move out, is inside.
 template <class T> struct Burial {
 	MaskOf<T> is_buried; // [Eq 46] and the blade is down: its tip is below LYING of its length
-	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
+	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW or, if round, bury_round_below()
 	MaskOf<T> is_laid; // [Eq 47] one of them rests: none of its points is faster than CARRY_FROM
 };
-template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const T &p_finer) {
 	const MaskOf<T> none = T(0.0f) > T(1.0f);
 	MaskOf<T> is_buried = none, is_fast = none, is_laid = none;
 	const T of_step = p_blade.blade_length * p_terms.seconds;
+	const T round_below = select(p_finer > T(1.0f), T(p_terms.bury_round_below), T(p_terms.least_bury_round_below));
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
 		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
@@ -80,7 +97,7 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 			const T moved = motion_of<T>(collider);
 			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
 			is_buried = is_buried | is_inside;
-			is_fast = is_fast | (is_inside & (moved > of_step * T(BURY_BELOW)));
+			is_fast = is_fast | (is_inside & (moved > of_step * (is_round(collider) ? round_below : T(BURY_BELOW))));
 			is_laid = is_laid | (is_inside & !(moved > of_step * T(CARRY_FROM)));
 		}
 	}
@@ -89,17 +106,18 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 }
 
 // [Eq 43] Returns the number of equal parts into which a blade divides the step: a power of 2. p_fastest: how far its fastest knot moves in
-// the step, metres.
+// the step, metres; p_finer: own_finer().
 template <class T>
-GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest) {
-	const MaskOf<T> is_asked =
-			p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move / T(p_terms.finer)));
+GRASS_INLINE T count_parts(
+		const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest, const T &p_finer) {
+	const MaskOf<T> is_asked = p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move / p_finer));
 	const T moved = maximum(p_near.moved, p_fastest * T(PART_OF_KNOT));
-	const T wanted = moved * T(float(p_terms.iterations) * p_terms.finer * p_terms.finer) /
-			(p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
+	const T wanted =
+			moved * (T(float(p_terms.iterations)) * p_finer * p_finer) / (p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
+	const T most = select(p_finer > T(1.0f), T(float(p_terms.most_parts)), T(float(p_terms.least_most_parts)));
 	T parts(1.0f);
 	for (int i = 2; i <= p_terms.most_parts; i *= 2) {
-		parts = select(is_asked & (wanted > parts), T(float(i)), parts);
+		parts = select(is_asked & (wanted > parts) & !(T(float(i)) > most), T(float(i)), parts);
 	}
 	return parts;
 }

@@ -33,8 +33,10 @@ template <class T> struct StepTerms {
 	T free_span, thins, first_joint; // GrassStep.free_motion
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root, stiffer; // GrassStep.energy
-	int iterations, most_parts;
-	float finer; // contact_rate over its default
+	int iterations;
+	float finer; // contact_rate over its least; of that rate, and of the least one:
+	int most_parts, least_most_parts;
+	float bury_round_below, least_bury_round_below; // blade lengths a second
 	bool is_direct;
 	std::span<const TileCollider> colliders;
 };
@@ -42,13 +44,15 @@ template <class T> struct StepTerms {
 // p_is_far: from every eye, so that contact_rate does not apply.
 template <class T>
 StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, bool p_is_far = false) {
-	const float finer = p_is_far ? 1.0f : p_step.pbd_motion.x;
+	const float finer = p_is_far ? 1.0f : p_step.pbd_motion.x, seconds = p_step.chain.x;
+	const int iterations = int(p_step.contact.x);
 	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w), T(p_step.pbd_motion.y),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z) * T(p_step.free_motion.z), T(p_step.chain.w), T(p_step.free_motion.x),
 		T(p_step.free_motion.y), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
-		T(p_step.energy.y), T(p_step.energy.z), T(p_step.energy.w), int(p_step.contact.x),
-		most_parts(int(p_step.contact.x), p_step.chain.x, finer), finer, int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
+		T(p_step.energy.y), T(p_step.energy.z), T(p_step.energy.w), iterations, finer, most_parts(iterations, seconds, finer),
+		most_parts(iterations, seconds, 1.0f), bury_round_below(iterations, seconds, finer), bury_round_below(iterations, seconds, 1.0f),
+		int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
 }
 
 template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {

@@ -109,7 +109,7 @@ template <class T> struct Calm {
 // Takes a step of the method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
 template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms, Calm<T> &r_calm) {
 	using Mask = MaskOf<T>;
-	const Mask is_laid = find_burial(r_blade, p_terms).is_laid;
+	const Mask is_laid = find_burial(r_blade, p_terms, T(1.0f)).is_laid;
 	const T count = count_resting(r_blade, p_terms);
 	const T calm = calm_so_far(r_blade.calm, count);
 	const T share = calm_share(calm);

@@ -65,7 +65,7 @@ void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p
 	r_step.free_motion.z = float(section.stiffness);
 	r_step.free_motion.w = float(section.first_joint);
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
-	r_step.pbd_motion.x = float(p_params.contact_rate / CONTACT_RATE.initial);
+	r_step.pbd_motion.x = float(p_params.contact_rate / CONTACT_RATE.minimum);
 }
 
 // Sets GrassStep::pbd_motion, and load.xyz for METHOD_PBD.
@@ -102,7 +102,10 @@ SolverParams SolverParams::sanitised() const {
 	params.friction = FRICTION.clamp(friction);
 	params.swing_speed_max = SWING_SPEED_MAX.clamp(swing_speed_max);
 	params.iterations = int(ITERATIONS.clamp(iterations));
-	params.contact_rate = CONTACT_RATE.clamp(contact_rate);
+	params.contact_rate = CONTACT_RATE.minimum;
+	while (params.contact_rate < CONTACT_RATE.clamp(contact_rate)) {
+		params.contact_rate *= 2.0;
+	}
 	for (int i = 0; i < 3; i++) {
 		params.load[i] = std::clamp(or_zero(load[i]), -MAX_LOAD, MAX_LOAD);
 	}

@@ -29,8 +29,8 @@ inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
 // shape and contact; the paper found two or three enough; with 1 knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
 // METHOD_DIRECT: how often in a second contact with moving bodies is solved, at most. More: single blades follow bodies more exactly, for
-// as much more time. From two iterations on.
-inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 100.0, 400.0 };
+// as much more time. From two iterations on. A step is halved time and again, so a rate counts as the next one of 400, 800, 1600 and so on.
+inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 400.0, 400.0 };
 // How far from an eye contact_rate applies, to the middle of a tile; 0: everywhere. Farther: more blades take as much more time.
 inline constexpr Tunable CONTACT_DISTANCE{ "contact_distance", "m", 0.0, 100.0, 0.1, 4.0 };
 // Greatest speed of a knot that swings freely, blade lengths per second. Below 5 grass looks sticky.

@@ -12,7 +12,14 @@ const LEVELS: Array[GrassQuality.Level] = [
 	GrassQuality.LEVEL_LOW, GrassQuality.LEVEL_MEDIUM, GrassQuality.LEVEL_HIGH, GrassQuality.LEVEL_ULTRA
 ]
 const FACTORS: Array[String] = [
-	"pixels_min", "lod_error", "lod_far", "shadow_distance", "shadow_coarseness", "plant_distance", "pool_tiles"
+	"pixels_min",
+	"lod_error",
+	"lod_far",
+	"shadow_distance",
+	"shadow_coarseness",
+	"plant_distance",
+	"contact_rate",
+	"pool_tiles",
 ]
 
 
@@ -73,6 +80,30 @@ func test_a_field_that_comes_later_has_the_level() -> void:
 	await grown(field)
 	await ticks(2)
 	assert_eq(pool_of(field), 800, "also one that was being made meanwhile")
+
+
+## Knots of a tile that a ball has rolled over, at a level of quality.
+func rolled_over(rate: float, level: GrassQuality.Level) -> PackedVector3Array:
+	GrassQuality.set_level(level)
+	var field := add_field({contact_rate = rate})
+	await grown(field)
+	var body := add_held_body(ball(0.2), Vector3(-1, 0.2, 0.2))
+	for i in 40:
+		body.position.x += 0.03
+		await ticks(1)
+	var knots := tile_knots(field, field.get_tile_at(Vector3(0, 0, 0.2)))
+	body.free()
+	field.free()
+	return knots
+
+
+func test_contact_is_finer_at_a_higher_level() -> void:
+	var high := await rolled_over(1600.0, GrassQuality.LEVEL_HIGH)
+	assert_greater(high.size(), 0)
+	assert_eq(await rolled_over(800.0, GrassQuality.LEVEL_ULTRA), high, "twice the rate")
+	assert_eq(await rolled_over(3200.0, GrassQuality.LEVEL_LOW), high, "half of it")
+	assert_eq(await rolled_over(1100.0, GrassQuality.LEVEL_HIGH), high, "what lies between counts as the next one")
+	assert_true(await rolled_over(800.0, GrassQuality.LEVEL_HIGH) != high, "another rate")
 
 
 func test_what_is_bent_stays_bent() -> void:
