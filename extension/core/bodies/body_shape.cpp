@@ -76,6 +76,13 @@ Eigen::Vector3d ColliderShape::get_half_extents() const {
 	}
 }
 
+void ColliderShape::grow_from(const Eigen::Vector3d &p_half_extents) {
+	const Eigen::Array3d shares = 1.0 - p_half_extents.array() / get_half_extents().array();
+	const double least = shares.minCoeff(), most = shares.maxCoeff();
+	const bool is_same_shape = least >= -1.0 && most <= 0.5;
+	growth = is_same_shape ? std::max(least, 0.0) + std::min(most, 0.0) : 0.0;
+}
+
 void ColliderShape::set_poses(const Eigen::Affine3d &p_before, const Eigen::Affine3d &p_now) {
 	before = make_pose(p_before);
 	now = make_pose(p_now);
@@ -143,7 +150,7 @@ Bounds ColliderShape::get_swept_bounds() const {
 
 bool ColliderShape::has_moved() const {
 	constexpr double STILL_DISTANCE = 1e-5, STILL_ANGLE = 1e-4; // metres, radians
-	return (now.position - before.position).norm() > STILL_DISTANCE ||
+	return (now.position - before.position).norm() > STILL_DISTANCE || std::abs(growth) * get_half_extents().maxCoeff() > STILL_DISTANCE ||
 			1.0 - std::abs(before.rotation.dot(now.rotation)) > STILL_ANGLE * STILL_ANGLE / 8.0; // 1 - cos(angle / 2)
 }
 
@@ -161,10 +168,7 @@ GrassCollider ColliderShape::pack(const TileGrid &p_grid, int p_first_plane) con
 		turned.coeffs() = -turned.coeffs();
 	}
 	collider.rotation_before = to_vec4(turned);
-	collider.size = to_vec4(size.cast<float>(), 0.0f);
-	if (is_hull) {
-		collider.size = { float(size.norm()), 0.0f, 0.0f, 0.0f };
-	}
+	collider.size = to_vec4(is_hull ? Eigen::Vector3f(float(size.norm()), 0.0f, 0.0f) : Eigen::Vector3f(size.cast<float>()), float(growth));
 	return collider;
 }
 

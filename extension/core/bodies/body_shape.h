@@ -39,6 +39,7 @@ struct ColliderShape {
 	double friction = 0.5; // 0: blades slide freely along it, 1: they stick.
 	std::vector<Eigen::Vector4f> planes; // Hull only, in the shape's space: n.xyz, d; n.x <= d inside; metres.
 	ColliderPose now, before; // At the end and at the start of the step; equal after a teleport.
+	double growth = 0.0; // How much smaller it was at the start of the step, as a share of its size. TileManager sets it by grow_from().
 	// The index in StepInput::forces if this is a force: then it wakes tiles as a body does, but touches nothing.
 	int force = NO_FORCE;
 	static constexpr int NO_FORCE = -1;
@@ -63,13 +64,17 @@ struct ColliderShape {
 	// hull without planes or with too many. TileManager::update() calls it for every shape.
 	[[nodiscard]] bool sanitise(const char *&r_reason);
 
+	// Sets its growth. p_size: the half extents that it had at the start of the step. Only what all of them have in common is growth; if
+	// they are less than half or more than twice as large as now, the shape is another one.
+	void grow_from(const Eigen::Vector3d &p_half_extents);
+
 	// Returns the half extents, metres, of a box around the shape, along its axes and centred at its origin.
 	Eigen::Vector3d get_half_extents() const;
 
 	// Returns a box in field space around everything that the shape passes from before to now, both ends included.
 	Bounds get_swept_bounds() const;
 
-	// Returns whether it moved in the step by more than a resting body trembles: 0.01 mm or 0.1 mrad.
+	// Returns whether it moved or grew in the step by more than a resting body trembles: 0.01 mm or 0.1 mrad.
 	bool has_moved() const;
 
 	// Returns the record for the shaders, relative to the tile below its centre. p_first_plane: index in StepInput::planes of a hull's

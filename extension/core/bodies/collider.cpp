@@ -77,7 +77,10 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 	Vec3<float> box;
 	measure(r_collider.shape, r_collider.size, r_collider.bound, box, r_collider.thin, r_collider.blunt);
 	const Vec3<float> way = r_collider.centre - r_collider.centre_before;
-	r_collider.moved = std::sqrt(dot(way, way)) + (r_collider.shape == GRASS_SPHERE ? 0.0f : r_collider.spin * r_collider.bound);
+	r_collider.grown = 1.0f / (1.0f - p_collider.size.w);
+	r_collider.scale = 1.0f;
+	r_collider.moved = std::sqrt(dot(way, way)) + std::abs(r_collider.grown - 1.0f) * r_collider.bound +
+			(r_collider.shape == GRASS_SPHERE ? 0.0f : r_collider.spin * r_collider.bound);
 	r_collider.shortfall = SHORTFALL;
 	if (r_collider.shape == GRASS_HULL) {
 		r_collider.thin = least_plane(r_collider);
@@ -92,6 +95,23 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 	return true;
 }
 
+namespace {
+
+// Makes it as large as it is at share p_to of the step, after it grew from share p_from on.
+void grow_between(TileCollider &r_collider, float p_from, float p_to) {
+	const float before = 1.0f / r_collider.grown, from = before + (1.0f - before) * p_from;
+	const float to = p_to < 1.0f ? before + (1.0f - before) * p_to : 1.0f;
+	r_collider.grown = to / from;
+	r_collider.scale = to;
+	r_collider.size = r_collider.size * to;
+	r_collider.box = r_collider.box * to;
+	r_collider.bound *= to;
+	r_collider.thin *= to;
+	r_collider.blunt *= to;
+}
+
+} // namespace
+
 std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to) {
 	thread_local std::vector<TileCollider> between;
 	between.assign(p_colliders.begin(), p_colliders.end());
@@ -104,6 +124,9 @@ std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_
 		if (p_to < 1.0f) {
 			collider.centre = before + way * p_to;
 			collider.turn = turn_between(turn_before, turn, p_to);
+		}
+		if (collider.grown != 1.0f) {
+			grow_between(collider, p_from, p_to);
 		}
 		collider.spin = collider.spin * (p_to - p_from) * SPIN_MARGIN;
 		const float bound = collider.bound * BOX_MARGIN;

@@ -44,6 +44,8 @@ struct TileCollider {
 	float bound = 0.0f; // radius of a sphere about the centre, metres
 	Vec3<float> box; // half extents of a box about the centre, along the field's axes, at the end of the step, metres
 	float shortfall = 0.0f; // the most by which the shape can be farther from a point than a face in front of it, as a factor
+	float grown = 1.0f; // its size at the end of the step over that at the start
+	float scale = 1.0f; // of its planes, which are those at the end of the whole step
 	float spin = 0.0f; // how far its turn during the step moves a point, as a share of the point's distance from the centre
 	float moved = 0.0f; // the farthest that the step moves any point of it that a blade may meet, metres
 	float thin = 0.0f; // no shorter path can cross the shape, metres
@@ -83,7 +85,7 @@ template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider
 			Face<T> face{ { T(0.0f), T(1.0f), T(0.0f) }, T(-2.0f * BLOCKED) };
 			for (const Eigen::Vector4f &plane : p_collider.planes) {
 				const Vec3<T> normal{ T(plane.x()), T(plane.y()), T(plane.z()) };
-				face = outer(face, { normal, dot(normal, p_point) - T(plane.w()) }, p_ground);
+				face = outer(face, { normal, dot(normal, p_point) - T(plane.w() * p_collider.scale) }, p_ground);
 			}
 			return face;
 		}
@@ -100,12 +102,12 @@ GRASS_INLINE bool is_round(const TileCollider &p_collider) {
 	return p_collider.shape == GRASS_SPHERE || p_collider.shape == GRASS_CAPSULE;
 }
 
-// Returns whether the collider does not move in this step.
+// Returns whether the collider does not move in this step, and keeps its size.
 GRASS_INLINE bool stands_still(const TileCollider &p_collider) {
 	const Vec3<float> way = p_collider.centre - p_collider.centre_before;
 	const Vec3<float> axis = p_collider.turn.axis - p_collider.turn_before.axis;
 	const float w = p_collider.turn.w - p_collider.turn_before.w;
-	return dot(way, way) + dot(axis, axis) + w * w <= 0.0f;
+	return dot(way, way) + dot(axis, axis) + w * w <= 0.0f && p_collider.grown == 1.0f;
 }
 
 // A knot's path during the step: from its start to its end, each in the shape's own axes at that time.

@@ -91,8 +91,11 @@ private:
 	using LimitsBySight = std::array<Limits, 2>; // of ways out of view, and of those in view
 	// What a collider has met.
 	enum Met : uint8_t { MET_NOTHING, MET_GRASS, MET_AWAKE };
-	// The results for a collider with a stamp in the last step.
+	// What a collider was in the last step, and the results for one with a stamp.
 	struct Known {
+		uint64_t owner = 0;
+		int type = -1; // unknown
+		Eigen::Vector3d half_extents, place;
 		uint64_t stamp = 0; // 0: unknown
 		Bounds swept;
 		TileRange whole, range; // the full range, and the range that the list had room for
@@ -134,6 +137,7 @@ private:
 	void gather();
 	// tile_meetings_ways.cpp
 	void add_collider(ColliderShape &r_collider, uint32_t p_index, Block &r_block);
+	static void follow_growth(ColliderShape &r_collider, Known &r_known);
 	void add_ways(const ColliderShape &p_collider, uint32_t p_index, Block &r_block);
 	void limit_ranges(std::span<const ColliderShape> p_colliders);
 	LimitsBySight find_limits(int64_t p_total, size_t p_ways);

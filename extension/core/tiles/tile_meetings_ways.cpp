@@ -32,6 +32,21 @@ TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 
 } // namespace
 
+// It is the same collider as in the last step if it begins where that one ended: not if it was put somewhere else.
+void TileMeetings::follow_growth(ColliderShape &r_collider, Known &r_known) {
+	constexpr double SAME_PLACE = 1e-6; // metres
+	const bool is_same = r_known.type == r_collider.type && r_known.owner == r_collider.owner &&
+			(r_collider.before.position - r_known.place).norm() < SAME_PLACE;
+	r_collider.growth = 0.0;
+	if (is_same && r_known.is_good) {
+		r_collider.grow_from(r_known.half_extents);
+	}
+	r_known.owner = r_collider.owner;
+	r_known.type = r_collider.type;
+	r_known.half_extents = r_collider.get_half_extents();
+	r_known.place = r_collider.now.position;
+}
+
 void TileMeetings::add_collider(ColliderShape &r_collider, uint32_t p_index, Block &r_block) {
 	Known &known = _known[p_index];
 	const bool is_same = r_collider.stamp != 0 && r_collider.stamp == known.stamp;
@@ -41,6 +56,7 @@ void TileMeetings::add_collider(ColliderShape &r_collider, uint32_t p_index, Blo
 		known.is_good = r_collider.sanitise(reason);
 		known.is_complete = false;
 	}
+	follow_growth(r_collider, known);
 	r_block.bad_colliders += known.is_good ? 0 : 1;
 	if (known.is_good && is_same) {
 		r_block.ways.push_back({ known.swept, known.whole, p_index });

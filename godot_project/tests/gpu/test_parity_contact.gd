@@ -230,3 +230,26 @@ func test_a_crowd_over_one_tile() -> void:
 	assert_greater(farthest(tile_knots(gpu, tile), tile_knots(still, tile)), 0.1, "metres: the last ball presses blades")
 	await ticks(60)
 	assert_less(share_apart([tile], CROWDED), FEW_APART)
+
+
+func test_bent_alike_beside_a_body_that_grows() -> void:
+	if not await add_pair({contact_rate = 1600.0}):
+		return
+	var tile := Vector2i(4, 4)
+	var rest := tile_knots(cpu, tile)
+	var shape := ball(0.1)
+	add_held_body(shape, Vector3(0.1, 0.2, 0.2))
+	await ticks(20)
+	for i in 30:
+		shape.radius *= 1.03
+		await ticks(1)
+	var bends: Array[float] = []
+	for field: GrassField in [cpu, gpu]:
+		var knots := tile_knots(field, tile)
+		var sum := 0.0
+		for i in knots.size():
+			sum += knots[i].distance_to(rest[i])
+		bends.append(1e3 * sum / knots.size())
+	print("    mean bend beside a ball that grows: CPU %.3f mm, GPU %.3f mm" % bends)
+	assert_greater(bends[0], 10.0)
+	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
