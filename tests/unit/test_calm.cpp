@@ -82,3 +82,49 @@ TEST_CASE("METHOD_PBD: a body at rest changes no bit of a swing that does not to
 		REQUIRE(has_same_knots(alone, beside));
 	}
 }
+
+TEST_CASE("METHOD_PBD: a blade comes to rest on a tiny disc that it touches in few of its steps") {
+	struct Disc {
+		Eigen::Vector3f size, place;
+		vec4 rotation;
+		float heading, lean, curve, root_x, root_z; // of the blade: radians, metres
+	};
+	const Disc discs[] = {
+		{ { 0.0252f, 0.00397f, 0.0f }, { 0.0163f, 0.08401f, -0.03419f }, { -0.50980467f, -0.30068812f, -0.11110701f, 0.79833645f },
+				3.22330165f, 0.24049279f, 0.98860031f, 0.04701359f, -0.03627391f },
+		{ { 0.01685297f, 0.00213064f, 0.0f }, { 0.07052828f, 0.09253512f, 0.00902934f },
+				{ 0.63261622f, -0.27229157f, -0.7119413f, 0.1370903f }, 4.63726425f, 0.16041018f, 0.65002048f, 0.06393107f, 0.03442397f },
+	};
+	for (const Disc &disc : discs) {
+		CAPTURE(disc.heading);
+		BladeScene scene(Method::PBD);
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			scene.tile->root[0][b] = disc.root_x;
+			scene.tile->root[2][b] = disc.root_z;
+			Eigen::Vector3f knot = Eigen::Vector3f::Zero();
+			for (int k = 0; k < GRASS_KNOTS; k++) {
+				scene.set_rest(b, k, knot);
+				const float angle = disc.lean + disc.curve * (float(k) + 0.5f) / GRASS_SEGMENTS;
+				const Eigen::Vector3f way(sin_of(angle) * cos_of(disc.heading), cos_of(angle), sin_of(angle) * sin_of(disc.heading));
+				knot += scene.length / GRASS_SEGMENTS * way;
+			}
+		}
+		GrassCollider &collider = scene.add(GRASS_CYLINDER, disc.place, disc.size);
+		collider.rotation = collider.rotation_before = disc.rotation;
+		const auto place = [&](int p_step) {
+			return Eigen::Vector3f(disc.place + Eigen::Vector3f(std::max(0.5f - float(p_step) / 60.0f, 0.0f) * 0.8f, 0.0f, 0.0f));
+		};
+		float most = 0.0f; // in the last second, blade lengths a step
+		for (int i = 0; i < 480; i++) {
+			BladeScene::place(scene.colliders[0], place(i), place(i + 1));
+			const BladeScene before = [&] {
+				BladeScene copy(Method::PBD);
+				*copy.tile = *scene.tile;
+				return copy;
+			}();
+			scene.step();
+			most = i >= 420 ? std::max(most, scene.distance_from(before)) : most;
+		}
+		CHECK(most < 1e-3f);
+	}
+}
