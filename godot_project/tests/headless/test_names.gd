@@ -68,3 +68,17 @@ func test_too_few_heights_are_counted() -> void:
 	await ticks(3)
 	await frames(3)
 	assert_true(field.is_inside_tree())
+
+
+## A class without one has its base's in the editor's lists, which says nothing.
+func test_nodes_and_resources_have_icons() -> void:
+	var extension := ConfigFile.new()
+	assert_eq(extension.load("res://addons/grass_field/grass_field.gdextension"), OK)
+	var count := 0
+	for type: StringName in ClassDB.get_class_list():
+		var is_public := String(type).begins_with("Grass") and ClassDB.can_instantiate(type)
+		if is_public and (ClassDB.is_parent_class(type, &"Node") or ClassDB.is_parent_class(type, &"Resource")):
+			var icon: String = extension.get_value("icons", type, "")
+			assert_true(FileAccess.file_exists("res://addons/grass_field/" + icon) and icon.ends_with(".svg"), "%s: '%s'" % [type, icon])
+			count += 1
+	assert_greater(count, 10)
