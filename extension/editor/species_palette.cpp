@@ -71,6 +71,7 @@ SpeciesPalette::Entry SpeciesPalette::entry_of(const Ref<GrassSpecies> &p_specie
 	}
 	const SpeciesLook look = entry.species->get_look();
 	entry.card = look.card;
+	entry.plant = entry.species->find_plant();
 	entry.card.push_back(look.leaf);
 	entry.look = { look.dry, look.card_share, look.card_width, look.card_height, look.leaf_size };
 	std::vector<Color> colors(look.colors.begin(), look.colors.end());
@@ -93,7 +94,7 @@ void SpeciesPalette::fill() {
 	for (const Entry &entry : _entries) {
 		const bool is_empty = entry.species.is_null();
 		pictures.push_back(is_empty ? Image::create_empty(side, side, false, Image::FORMAT_RGBA8)
-									: draw_picture(**entry.species, entry.species->get_look(), side));
+									: draw_picture(**entry.species, entry.species->get_look(), entry.plant, side));
 	}
 	if (_entries.empty()) {
 		add_item("Drop a species here", Ref<Texture2D>(), false);

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/item_list.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace grass {
@@ -34,6 +35,7 @@ private:
 		godot::String name;
 		godot::Ref<GrassSpecies> species; // null: an empty entry
 		std::vector<godot::Ref<godot::Image>> card; // including the leaf
+		std::shared_ptr<const PlantModel> plant; // drawn in place of blades; null: none
 		std::vector<double> look; // everything else that its picture shows
 		bool operator==(const Entry &) const = default;
 	};

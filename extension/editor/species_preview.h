@@ -9,8 +9,9 @@
 
 namespace grass {
 
-// p_look: of the species. Transparent where there is no blade.
-godot::Ref<godot::Image> draw_picture(const GrassSpecies &p_species, const SpeciesLook &p_look, int p_side);
+// Draws p_plant, the species' mesh; null: its blades, with p_look. Transparent beside them.
+godot::Ref<godot::Image> draw_picture(
+		const GrassSpecies &p_species, const SpeciesLook &p_look, const std::shared_ptr<const PlantModel> &p_plant, int p_side);
 
 class SpeciesPreview : public godot::EditorResourcePreviewGenerator {
 	GDCLASS(SpeciesPreview, godot::EditorResourcePreviewGenerator)

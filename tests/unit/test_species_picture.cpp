@@ -2,6 +2,7 @@
 // The editor's small picture of a species shows its colours, its height and its flowers.
 #include <doctest/doctest.h>
 
+#include "core/species/plant_picture.h"
 #include "core/species/species_picture.h"
 
 #include <array>
@@ -64,4 +65,40 @@ TEST_CASE("a species without blades has a clear picture") {
 	CHECK(mean_of(draw_species(none, make_look({ 0.1f, 0.2f, 0.1f }), SIDE)).w() == 0.0);
 	CHECK(mean_of(draw_species({}, PictureLook(), SIDE)).w() == 0.0);
 	CHECK(draw_species({}, make_look({ 0.1f, 0.2f, 0.1f }), 0).empty());
+}
+
+TEST_CASE("a picture of a plant shows its faces, the nearer ones, and thin stems") {
+	PictureSurface plant;
+	const auto add = [&](const Eigen::Vector3f &p_a, const Eigen::Vector3f &p_b, const Eigen::Vector3f &p_c,
+							 const Eigen::Vector3f &p_color) {
+		for (const Eigen::Vector3f &place : { p_a, p_b, p_c }) {
+			plant.indices.push_back(int32_t(plant.places.size()));
+			plant.places.push_back(place);
+			plant.colors.push_back(p_color);
+			plant.uvs.push_back({ 0.5f, 0.5f });
+		}
+	};
+	// A stem of a thousandth of the height, and a flower on it: red in front of blue.
+	add({ 0, 0, 0 }, { 0.001f, 0, 0 }, { 0, 0.8f, 0 }, { 0, 0.5f, 0 });
+	add({ -0.2f, 0.8f, 0 }, { 0.2f, 0.8f, 0 }, { 0, 1, 0 }, { 0, 0, 1 });
+	add({ -0.2f, 0.8f, 0.1f }, { 0.2f, 0.8f, 0.1f }, { 0, 1, 0.1f }, { 1, 0, 0 });
+	const std::vector<uint8_t> picture = draw_plant({ &plant, 1 }, SIDE);
+	REQUIRE(picture.size() == size_t(4 * SIDE * SIDE));
+	int rows_of_stem = 0;
+	for (int y = 20; y < 60; y++) {
+		const Eigen::Vector4d row = mean_of(picture, y, y + 1);
+		rows_of_stem += row.w() > 0.0 && row.y() > row.x() ? 1 : 0;
+	}
+	CHECK(rows_of_stem == 40);
+	const Eigen::Vector4d flower = mean_of(picture, 2, 14);
+	CHECK(flower.x() > 100.0);
+	CHECK(flower.x() > 2.0 * flower.z());
+
+	plant.texture = { 255, 255, 255, 100 };
+	plant.texture_width = plant.texture_height = 1;
+	plant.scissor = 0.5f;
+	CHECK(mean_of(draw_plant({ &plant, 1 }, SIDE)).w() == 0.0);
+	plant.scissor = 0.3f;
+	CHECK(mean_of(draw_plant({ &plant, 1 }, SIDE)).w() > 0.0);
+	CHECK(mean_of(draw_plant({}, SIDE)).w() == 0.0);
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/half.h"
 #include "core/base/hash.h"
+#include "core/species/picture_canvas.h"
 
 #include <algorithm>
 #include <array>
@@ -13,68 +14,10 @@ namespace grass {
 namespace {
 
 constexpr int SHOWN_BLADES = 90;
-constexpr int FINER = 2; // drawn texels for each texel of the picture, along a side
 constexpr int SEGMENT_STEPS = 6; // least number of steps along a segment
 constexpr float FILLED = 0.9f; // share of the height that the tallest blade fills
 constexpr float DEEP = 0.12f; // height of the hindmost roots above the foremost, as a share of the picture's height
 constexpr float WIDER = 1.5f; // factor on the width: thin blades would be lost in a small picture
-
-float from_srgb(uint8_t p_byte) {
-	return std::pow(float(p_byte) / 255.0f, 2.2f);
-}
-
-uint8_t to_srgb(float p_value) {
-	return uint8_t(std::lround(255.0f * std::pow(std::clamp(p_value, 0.0f, 1.0f), 1.0f / 2.2f)));
-}
-
-class Canvas {
-public:
-	explicit Canvas(int p_side) : _side(p_side), _texels(size_t(p_side) * size_t(p_side), Eigen::Vector4f::Zero()) {}
-
-	int get_side() const { return _side; }
-
-	void put(int p_x, int p_y, const Eigen::Vector3f &p_color) {
-		if (p_x >= 0 && p_x < _side && p_y >= 0 && p_y < _side) {
-			_texels[size_t(p_y) * size_t(_side) + size_t(p_x)] << p_color, 1.0f;
-		}
-	}
-
-	void put_disc(const Eigen::Vector2f &p_middle, float p_radius, const Eigen::Vector3f &p_color) {
-		const int reach = int(std::ceil(p_radius));
-		const int x = int(std::floor(p_middle.x())), y = int(std::floor(p_middle.y()));
-		put(x, y, p_color);
-		for (int dy = -reach; dy <= reach; dy++) {
-			for (int dx = -reach; dx <= reach; dx++) {
-				const Eigen::Vector2f texel(float(x + dx) + 0.5f, float(y + dy) + 0.5f);
-				if ((texel - p_middle).norm() <= p_radius) {
-					put(x + dx, y + dy, p_color);
-				}
-			}
-		}
-	}
-
-	// Returns the picture: each texel is the mean of FINER x FINER.
-	std::vector<uint8_t> shrunk() const {
-		std::vector<uint8_t> bytes;
-		for (int y = 0; y < _side; y += FINER) {
-			for (int x = 0; x < _side; x += FINER) {
-				Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-				for (int i = 0; i < FINER * FINER; i++) {
-					sum += _texels[size_t(y + i / FINER) * size_t(_side) + size_t(x + i % FINER)];
-				}
-				const Eigen::Vector3f color = sum.head<3>() / std::max(sum.w(), 1.0f);
-				const float alpha = sum.w() / float(FINER * FINER);
-				bytes.insert(
-						bytes.end(), { to_srgb(color.x()), to_srgb(color.y()), to_srgb(color.z()), uint8_t(std::lround(255.0f * alpha)) });
-			}
-		}
-		return bytes;
-	}
-
-private:
-	int _side;
-	std::vector<Eigen::Vector4f> _texels; // linear colour, and 1 where anything is drawn
-};
 
 // A blade on the canvas.
 struct DrawnBlade {
@@ -114,8 +57,8 @@ Eigen::Vector3f color_of(const PictureLook &p_look, const DrawnBlade &p_blade, f
 }
 
 // Draws a flower or a leaf. p_texels: RGBA8, sRGB, p_side squared; p_tint multiplies them; p_width, p_height: texels on the canvas.
-void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint8_t> p_texels, int p_side, const Eigen::Vector3f &p_tint,
-		float p_width, float p_height) {
+void draw_card(PictureCanvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint8_t> p_texels, int p_side,
+		const Eigen::Vector3f &p_tint, float p_width, float p_height) {
 	const Eigen::Vector2f middle = p_blade.knots.back();
 	const float width = p_width, height = p_height;
 	for (int y = int(-0.5f * height); y <= int(0.5f * height); y++) {
@@ -132,7 +75,7 @@ void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint
 	}
 }
 
-void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
+void draw_blade(PictureCanvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		const Eigen::Vector2f from = p_blade.knots[size_t(k)], way = p_blade.knots[size_t(k + 1)] - from;
 		const int steps = std::max(SEGMENT_STEPS, int(std::ceil(way.norm())));
@@ -156,7 +99,7 @@ void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p
 
 std::vector<uint8_t> draw_species(const PatchParams &p_patch, const PictureLook &p_look, int p_side) {
 	const Patch patch = generate_patch(p_patch);
-	Canvas canvas(FINER * p_side);
+	PictureCanvas canvas(p_side);
 	if (!patch.is_empty() && !p_look.colors.empty()) {
 		const float tallest = patch.max_height + (p_look.card.empty() ? 0.0f : 0.5f * p_look.card_height);
 		const float texels = (FILLED - 0.5f * DEEP) * float(canvas.get_side()) / std::max(tallest, 1e-3f);
