@@ -29,6 +29,11 @@ real_t shrink_of(const Camera3D *p_camera) {
 GroundRays rays_in(const PaintedFields &p_painted) {
 	GroundRays rays(p_painted.chosen->get_world_3d(), to_godot(Eigen::Affine3d(p_painted.space)));
 	rays.stand(*p_painted.chosen);
+	FieldGround ground = p_painted.fields[0]->get_ground_band();
+	for (const GrassField *field : p_painted.fields) {
+		ground = field->get_ground_band().joined(ground);
+	}
+	rays.keep_within(ground);
 	return rays;
 }
 

@@ -136,6 +136,9 @@ void FieldProperties::warn_of_ground(PackedStringArray &r_warnings) const {
 				"`ground_low` is not below `ground_high`, so no ground and no place belongs to the field. Lower `ground_low`, or "
 				"raise `ground_high`.");
 	}
+	if (ground_mask == 0) {
+		r_warnings.push_back("`ground_mask` is empty, so no body is ground. Set the layers of the ground.");
+	}
 }
 
 } // namespace grass

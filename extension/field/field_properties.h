@@ -10,6 +10,7 @@
 #include "field/field_hook.h"
 #include "field/field_params.h"
 #include "field/field_species.h"
+#include "physics/field_ground.h"
 #include "resources/grass_map.h"
 
 #include <godot_cpp/classes/texture2d.hpp>
@@ -29,7 +30,7 @@ struct FieldProperties {
 	double scaled(FieldParamId p_param) const;
 	int64_t scaled_pool() const { return is_streamed ? pool_tiles : quality.scale_pool(pool_tiles); }
 	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
-	GroundBand ground_band() const { return { param(PARAM_GROUND_LOW), param(PARAM_GROUND_HIGH) }; }
+	FieldGround ground_band() const { return { { param(PARAM_GROUND_LOW), param(PARAM_GROUND_HIGH) }, ground_mask, ground_group }; }
 	ClumpParams clump() const;
 	LodParams lod() const;
 	SolverParams solver() const; // without what is a species' own
@@ -51,7 +52,8 @@ struct FieldProperties {
 	const godot::Ref<godot::Texture2D> &find_terrain_texture() const {
 		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
 	}
-	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
+	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1, ground_mask = FieldGround::ALL_LAYERS;
+	godot::StringName ground_group;
 	bool simulated = true, measure_time = false, has_soil = true;
 	Method method = SolverParams().method;
 	SimulationDetail simulation_detail = FieldParams().detail;

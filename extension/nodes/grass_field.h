@@ -124,6 +124,10 @@ public:
 	void set_terrain(const godot::NodePath &p_path); // empty: none
 	godot::NodePath get_terrain() const { return value_of(_terrain.get_path()); }
 	void terrain_changed(const godot::AABB &p_area); // global; empty: everywhere
+	void set_ground_mask(int64_t p_mask);
+	int64_t get_ground_mask() const { return _properties.ground_mask; }
+	void set_ground_group(const godot::StringName &p_group); // empty: all bodies
+	godot::StringName get_ground_group() const { return value_of(_properties.ground_group); }
 	void set_soil_enabled(bool p_enabled) { _properties.has_soil = p_enabled; }
 	bool is_soil_enabled() const { return _properties.has_soil; }
 	void set_debug_view(DebugView p_view);
@@ -133,7 +137,7 @@ public:
 	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
-	GroundBand get_ground_band() const { return _properties.ground_band(); }
+	FieldGround get_ground_band() const { return _properties.ground_band(); }
 	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
@@ -186,7 +190,7 @@ public:
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
 	double find_area(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform) const; // see FieldWork
-	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask);
+	int64_t bake_ground(const godot::Rect2 &p_region = godot::Rect2(), int64_t p_mask = FieldGround::ALL_LAYERS);
 	int64_t bake_whole_ground(); // for the editor: however large the field is
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 

@@ -64,6 +64,9 @@ void GrassField::_bind_methods() {
 			"_get_fill_button");
 	add_numbers("Map");
 	GRASS_BIND_PROPERTY(
+			GrassField, PropertyInfo(Variant::INT, "ground_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_ground_mask, get_ground_mask);
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::STRING_NAME, "ground_group"), set_ground_group, get_ground_group);
+	GRASS_BIND_PROPERTY(
 			GrassField, PropertyInfo(Variant::NODE_PATH, "terrain", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node"), set_terrain, get_terrain);
 	ADD_GROUP("Clumps", "");
 	add_numbers("Clumps");
@@ -77,8 +80,7 @@ void GrassField::_bind_methods() {
 	GRASS_BIND_PROPERTY(
 			GrassField, PropertyInfo(Variant::INT, "sleep_mode", PROPERTY_HINT_ENUM, "Timer,Energy"), set_sleep_mode, get_sleep_mode);
 	add_numbers("Simulation");
-	GRASS_BIND_PROPERTY(GrassField,
-			PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, range_hint(0, TileParams::MAX_POOL_SIZE, "tiles")),
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, range_hint(0, TileParams::MAX_POOL_SIZE, "tiles")),
 			set_pool_tiles, get_pool_tiles);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
 	ADD_GROUP("Wind", "");
@@ -138,8 +140,8 @@ void GrassField::_bind_methods() {
 			DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
 	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassField::paint);
 	ClassDB::bind_method(D_METHOD("trample", "global_position", "radius", "amount"), &GrassField::trample);
-	ClassDB::bind_method(
-			D_METHOD("bake_ground", "region", "collision_mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
+	ClassDB::bind_method(D_METHOD("bake_ground", "region", "collision_mask"), &GrassField::bake_ground, DEFVAL(Rect2()),
+			DEFVAL(FieldGround::ALL_LAYERS));
 	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
 	ClassDB::bind_method(D_METHOD("blast", "global_position", "speed", "radius", "duration"), &GrassField::blast,
 			DEFVAL(FORCE_SPEED.initial), DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));

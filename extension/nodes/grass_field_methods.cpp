@@ -153,7 +153,7 @@ int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 }
 
 int64_t GrassField::bake_whole_ground() {
-	return _work.bake_ground(Rect2(), GroundRays::ALL_LAYERS, false);
+	return _work.bake_ground(Rect2(), FieldGround::ALL_LAYERS, false);
 }
 
 double GrassField::find_area(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) const {

@@ -106,6 +106,18 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 	update_configuration_warnings();
 }
 
+void GrassField::set_ground_mask(int64_t p_mask) {
+	GRASS_MAIN_THREAD_ONLY();
+	if (replace(_properties.ground_mask, int64_t(uint32_t(p_mask)))) {
+		update_configuration_warnings();
+	}
+}
+
+void GrassField::set_ground_group(const StringName &p_group) {
+	GRASS_MAIN_THREAD_ONLY();
+	(void)replace(_properties.ground_group, p_group); // read when ground is
+}
+
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_SIMULATED + 1, message("`debug_view` must be one of the constants DEBUG_VIEW_*."));

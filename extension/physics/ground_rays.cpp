@@ -21,10 +21,28 @@ bool moves_about(const Object *p_body) {
 
 bool GroundRays::is_ground(const Object *p_body) const {
 	const Node *node = Object::cast_to<Node>(p_body);
-	if (is_in_plant(p_body)) {
+	if (is_in_plant(p_body) || !is_in_group(node)) {
 		return false;
 	}
 	return !moves_about(p_body) || (_standing != nullptr && node != nullptr && node->is_ancestor_of(const_cast<Node *>(_standing)));
+}
+
+// A scene of several bodies is in the group by its root.
+bool GroundRays::is_in_group(const Node *p_node) const {
+	if (String(_ground.group).is_empty()) {
+		return true;
+	}
+	for (const Node *node = p_node; node != nullptr; node = node->get_parent()) {
+		if (node->is_in_group(_ground.group)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void GroundRays::keep_within(const FieldGround &p_ground) {
+	_ground = p_ground;
+	_query->set_collision_mask(uint32_t(int64_t(_query->get_collision_mask()) & p_ground.mask));
 }
 
 GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, int64_t p_mask) :
@@ -56,7 +74,7 @@ std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, c
 }
 
 double GroundRays::height_at(const Eigen::Vector2d &p_place, double p_low, double p_high) {
-	const double low = std::max(p_low, _band.low), high = std::min(p_high, _band.high);
+	const double low = std::max(p_low, _ground.low), high = std::min(p_high, _ground.high);
 	if (!(low < high)) {
 		return std::numeric_limits<double>::quiet_NaN();
 	}

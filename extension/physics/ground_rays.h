@@ -2,7 +2,7 @@
 // Finds the ground with rays of the physics server, which hit bodies that do not move about and are no plants.
 #pragma once
 
-#include "core/paint/ground_band.h"
+#include "physics/field_ground.h"
 
 #include <Eigen/Geometry>
 
@@ -23,15 +23,13 @@ bool moves_about(const godot::Object *p_body);
 
 class GroundRays {
 public:
-	static constexpr int64_t ALL_LAYERS = 0xFFFFFFFF;
-
 	// p_field: global, without scale. p_mask: physics layers that are ground.
-	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
+	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = FieldGround::ALL_LAYERS);
 
 	// Sets a node that is on the ground: bodies that carry it are ground, however they move.
 	void stand(const godot::Node &p_node) { _standing = &p_node; }
-	// Sets the band in which height_at() finds ground.
-	void keep_within(const GroundBand &p_band) { _band = p_band; }
+	// Only finds bodies that are ground, and by height_at() only within the band.
+	void keep_within(const FieldGround &p_ground);
 	bool is_usable() const { return _space != nullptr; }
 	// Returns where the ray first hits a body that does not move about; field space, metres.
 	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
@@ -40,9 +38,10 @@ public:
 
 private:
 	bool is_ground(const godot::Object *p_body) const;
+	bool is_in_group(const godot::Node *p_node) const;
 
 	const godot::Node *_standing = nullptr;
-	GroundBand _band;
+	FieldGround _ground;
 	godot::PhysicsDirectSpaceState3D *_space = nullptr;
 	Eigen::Isometry3d _field, _to_field;
 	godot::Ref<godot::PhysicsRayQueryParameters3D> _query;

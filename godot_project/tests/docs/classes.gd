@@ -304,6 +304,23 @@ func grass_field_ground_high() -> void:
 	assert_eq(stage.field.get_density_at(Vector3(0, 4, 0)), 0.0)
 
 
+func grass_field_ground_mask() -> void:
+	var stage := await staged()
+	for layer: int in [0, 4]:
+		var body := StaticBody3D.new()
+		var shape := CollisionShape3D.new()
+		shape.shape = BoxShape3D.new()
+		body.add_child(shape)
+		body.collision_layer = 1 << layer
+		body.position.y = 2.0 - 0.25 * layer
+		if layer == 4:
+			body.add_to_group(&"ground")
+		stage.add_child(body)
+	await ticks(3)
+	stage.call("run")
+	assert_near(stage.field.map.sample(GrassMap.CHANNEL_GROUND, Vector2.ZERO), 1.5, 0.1, "the box on layer 5, below the other")
+
+
 func grass_field_simulation_budget() -> void:
 	var stage := await ran()
 	assert_near(stage.field.simulation_budget, 1.5, 1e-6)

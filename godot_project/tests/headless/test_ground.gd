@@ -159,3 +159,39 @@ func test_what_cannot_be_baked() -> void:
 	assert_eq(field.bake_ground_from(HeightMapShape3D.new(), Transform3D(Basis(), Vector3(NAN, 0, 0))), 0)
 	assert_eq(field.bake_ground_from(ConcavePolygonShape3D.new(), Transform3D()), 0, "no faces")
 	assert_eq(field.bake_ground(), 0, "no ground")
+
+
+## A crate on a floor: on layers 1 and 5, the floor below a node that is in the group "ground".
+func add_crate() -> GrassField:
+	var land := Node3D.new()
+	land.add_to_group(&"ground")
+	add_child(land)
+	var layers := {Vector3(0, -0.5, 0): [Vector3(40, 1, 40), 1 << 4, land], Vector3(0, 1, 0): [Vector3(4, 2, 4), 1, self]}
+	for place: Vector3 in layers:
+		var body := StaticBody3D.new()
+		var shape := BoxShape3D.new()
+		shape.size = layers[place][0]
+		add_shape(body, shape)
+		body.collision_layer = layers[place][1]
+		body.position = place
+		layers[place][2].add_child(body)
+	await ticks(2)
+	return add_field({size = Vector2(12, 12)})
+
+
+func test_grass_grows_on_what_is_ground_and_not_on_crates() -> void:
+	var field := await add_crate()
+	var baked := func() -> float:
+		field.map = null
+		return field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, 0.5)) if field.bake_ground() > 0 else NAN
+	assert_near(baked.call(), 2.0, 0.02, "all bodies are ground, unless one says what is")
+	field.ground_mask = 1 << 4
+	assert_near(baked.call(), 0.0, 0.02, "below the crate")
+	field.ground_mask = 1
+	assert_near(baked.call(), 2.0, 0.02)
+	assert_eq(field.bake_ground(Rect2(), 1 << 4), 0, "the layers of the call, of those of the field")
+	field.ground_mask = 0xFFFFFFFF
+	field.ground_group = &"ground"
+	assert_near(baked.call(), 0.0, 0.02, "a node above the floor is in the group")
+	field.ground_group = &"nobody"
+	assert_true(is_nan(baked.call()), "nothing is in it")

@@ -194,10 +194,11 @@ func test_copies_keep_the_properties() -> void:
 func test_what_cannot_work_is_said() -> void:
 	expect_error("`pool_tiles` is 0")
 	expect_error("`collision_mask` is empty")
+	expect_error("`ground_mask` is empty")
 	expect_error("scale is ignored")
 	expect_error("`simulation_budget` has no effect while")
 	var budget := {simulation_budget = 1.0, simulation_detail = GrassField.SIMULATION_WHOLE}
-	var field := add_field({pool_tiles = 0, collision_mask = 0, scale = Vector3(2, 2, 2)}.merged(budget))
+	var field := add_field({pool_tiles = 0, collision_mask = 0, ground_mask = 0, scale = Vector3(2, 2, 2)}.merged(budget))
 	var body := add_held_body(ball(0.2), Vector3(0, 0.2, 0))
 	await ticks(5)
 	assert_eq(field.get_awake_tile_count(), 0)
