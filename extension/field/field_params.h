@@ -27,7 +27,7 @@ namespace grass {
 // Side of a field. Larger grounds: several fields.
 inline constexpr Tunable FIELD_SIZE{ "size", "m", 0.1, 16384.0, 0.1, 32.0 };
 // A tile holds 64 blades, so this decides its side: 256 gives 0.5 m. Meadow 150 to 400, lawn 400 to 1500.
-inline constexpr Tunable DENSITY{ "density", "blades/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
+inline constexpr Tunable DENSITY{ "density", "/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
 // Tiles this far outside of the view still cast shadows, whatever the light; those whose shadow a directional light throws into
 // it do anyway. 0: shadows by other lights pop at the picture's edge.
 inline constexpr Tunable SHADOW_MARGIN{ "shadow_margin", "m", 0.0, 50.0, 0.1, 2.0 };

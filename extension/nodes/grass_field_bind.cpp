@@ -80,7 +80,7 @@ void GrassField::_bind_methods() {
 	GRASS_BIND_PROPERTY(
 			GrassField, PropertyInfo(Variant::INT, "sleep_mode", PROPERTY_HINT_ENUM, "Timer,Energy"), set_sleep_mode, get_sleep_mode);
 	add_numbers("Simulation");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, range_hint(0, TileParams::MAX_POOL_SIZE, "tiles")),
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, range_hint(0, TileParams::MAX_POOL_SIZE)),
 			set_pool_tiles, get_pool_tiles);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
 	ADD_GROUP("Wind", "");

@@ -15,7 +15,7 @@
 namespace grass {
 
 // Number of plants of a field that have a node at once. More: the physics server and the scene tree have more to do.
-inline constexpr Tunable PLANT_NODES_MAX{ "plant_nodes_max", "nodes", 0.0, 1024.0, 1.0, 64.0, true };
+inline constexpr Tunable PLANT_NODES_MAX{ "plant_nodes_max", "", 0.0, 1024.0, 1.0, 64.0, true };
 
 // Somebody for whom plants must be there.
 struct PlantEye {

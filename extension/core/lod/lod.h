@@ -36,7 +36,7 @@ inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 
 
 // The most tiles that a field draws in a frame, 100 bytes each; a quarter as many cast shadows. If more are visible, an even selection of
 // the distant ones is left out; below 10000 the grass visibly ends.
-inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "tiles", 256.0, 4194304.0, 1.0, 262144.0, true };
+inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "", 256.0, 4194304.0, 1.0, 262144.0, true };
 
 struct LodParams {
 	float far = float(LOD_FAR.initial); // metres

@@ -4,7 +4,7 @@ extends "res://tests/field_case.gd"
 
 const UNITS: Dictionary[String, String] = {
 	size = "m",
-	density = "blades/m²",
+	density = "/m²",
 	clump_size = "m",
 	border_fade = "m",
 	sleep_motion = "mm",
@@ -12,7 +12,6 @@ const UNITS: Dictionary[String, String] = {
 	settle_time = "s",
 	wind_speed = "m/s",
 	wind_direction = "°",
-	pool_tiles = "tiles",
 	lod_far = "m",
 	lod_error = "px",
 	shadow_distance = "m",
