@@ -153,7 +153,8 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 		return;
 	}
 	const TypedArray<GrassSpecies> before = field->get_species();
-	TypedArray<GrassSpecies> after = before.duplicate();
+	TypedArray<GrassSpecies> after = find_grown_species(*field);
+	const int64_t grown = after.size();
 	int64_t last = -1; // that is dropped, in `after`
 	for (int64_t i = 0; i < p_species.size(); i++) {
 		last = after.find(p_species[i]);
@@ -166,7 +167,7 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 		toast(vformat("GrassField: a field grows %d species at most. Remove one from `species` first.", GRASS_MAX_SPECIES));
 		return;
 	}
-	if (after.size() > before.size()) {
+	if (after.size() > grown) {
 		EditorUndoRedoManager *history = get_undo_redo();
 		history->create_action("Add Grass Species", UndoRedo::MERGE_DISABLE, field);
 		history->add_do_property(field, "species", after);

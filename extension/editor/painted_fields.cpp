@@ -2,6 +2,7 @@
 #include "editor/painted_fields.h"
 
 #include "editor/field_owner.h"
+#include "editor/species_drop.h"
 #include "nodes/field_monitors.h"
 #include "shared/convert.h"
 
@@ -86,7 +87,7 @@ std::optional<PaintedFields> painted_plots(GrassWorld *p_world) {
 }
 
 std::optional<int64_t> find_species(const GrassField &p_chosen, int64_t p_species, const GrassField &p_field) {
-	const TypedArray<GrassSpecies> ours = p_chosen.get_species(), theirs = p_field.get_species();
+	const TypedArray<GrassSpecies> ours = find_grown_species(p_chosen), theirs = find_grown_species(p_field);
 	if (p_species == 0 || &p_chosen == &p_field) {
 		return p_species;
 	}

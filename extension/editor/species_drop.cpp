@@ -50,6 +50,21 @@ TypedArray<GrassSpecies> find_dragged_species(const Variant &p_dragged) {
 	return species;
 }
 
+Ref<GrassSpecies> make_default_species() {
+	Ref<GrassSpecies> species;
+	species.instantiate();
+	species->set_name("Default Grass");
+	return species;
+}
+
+TypedArray<GrassSpecies> find_grown_species(const GrassField &p_field) {
+	TypedArray<GrassSpecies> species = p_field.get_species();
+	if (species.is_empty()) {
+		species.push_back(make_default_species());
+	}
+	return species;
+}
+
 Ref<Texture2D> find_dragged_picture(const Variant &p_dragged) {
 	const std::vector<Ref<Resource>> dragged = find_dragged(p_dragged);
 	return dragged.size() == 1 ? Ref<Texture2D>(dragged[0]) : Ref<Texture2D>();

@@ -15,11 +15,12 @@ namespace grass {
 
 namespace {
 
-// In the editor's unscaled pixels: side of a picture, width of an item, gap between two, margin around all.
-constexpr int PICTURE = 40, COLUMN = 68, BETWEEN = 8, AROUND = 24;
+// In the editor's unscaled pixels: side of a picture, width of an item (the presets' names fit), gap between two, margin around all.
+constexpr int PICTURE = 40, COLUMN = 100, BETWEEN = 8, AROUND = 24;
+constexpr int MOST_COLUMNS = 6; // as many as the view at 1,280 pixels has room for
 constexpr char TOOLTIP[] = "The species to plant: click one, or Ctrl + Shift + [ and ].\nDrop a GrassSpecies here, for example a preset, "
 						   "and the field grows it, too.";
-constexpr char NO_SPECIES_TOOLTIP[] = "The field has no species to plant. Drop one here, or add entries to its `species`.";
+constexpr char NO_FIELD_TOOLTIP[] = "No plot of the world is in memory here, so there is no species to plant. Come nearer.";
 
 // Returns strips of all pictures, side by side.
 Ref<Image> mix_of(const std::vector<Ref<Image>> &p_pictures, int p_side) {
@@ -40,13 +41,16 @@ SpeciesPalette::SpeciesPalette() {
 	set_icon_mode(ICON_MODE_TOP);
 	set_fixed_icon_size(Vector2i(PICTURE, PICTURE) * scale);
 	set_fixed_column_width(COLUMN * scale); // names may have any length
-	set_max_columns(GRASS_MAX_SPECIES + 1); // one row
+	set_max_columns(MOST_COLUMNS);
 	set_auto_height(true);
 }
 
 void SpeciesPalette::show_field(const GrassField *p_field) {
 	std::vector<Entry> entries;
-	const TypedArray<GrassSpecies> species = p_field != nullptr ? p_field->get_species() : TypedArray<GrassSpecies>();
+	TypedArray<GrassSpecies> species = p_field != nullptr ? p_field->get_species() : TypedArray<GrassSpecies>();
+	if (p_field != nullptr && species.is_empty()) {
+		species.push_back(_default);
+	}
 	for (int i = 0; i < std::min(int(species.size()), GRASS_MAX_SPECIES); i++) {
 		entries.push_back(entry_of(species[i], i + 1));
 	}
@@ -97,7 +101,7 @@ void SpeciesPalette::fill() {
 									: draw_picture(**entry.species, entry.species->get_look(), entry.plant, side));
 	}
 	if (_entries.empty()) {
-		add_item("Drop a species here", Ref<Texture2D>(), false);
+		add_item("No species", Ref<Texture2D>(), false);
 	} else {
 		add_item("As mixed", ImageTexture::create_from_image(mix_of(pictures, side)));
 	}
@@ -105,9 +109,13 @@ void SpeciesPalette::fill() {
 		add_item(_entries[i].name, ImageTexture::create_from_image(pictures[i]));
 		set_item_tooltip(int32_t(i) + 1, _entries[i].name + "\n" + TOOLTIP);
 	}
-	set_tooltip_text(_entries.empty() ? NO_SPECIES_TOOLTIP : TOOLTIP);
+	const bool is_bare = get_count() == 1 && _entries[0].species == _default;
+	if (is_bare) {
+		add_item("Drop one here", Ref<Texture2D>(), false);
+	}
+	set_tooltip_text(_entries.empty() ? NO_FIELD_TOOLTIP : TOOLTIP);
 	set_fixed_column_width(_entries.empty() ? 0 : side * COLUMN / PICTURE);
-	const int width = side * (_entries.empty() ? 3 * COLUMN : (COLUMN + BETWEEN) * (get_count() + 1) + AROUND) / PICTURE;
+	const int width = side * (_entries.empty() ? 3 * COLUMN : (COLUMN + BETWEEN) * std::min(get_item_count(), MOST_COLUMNS) + AROUND) / PICTURE;
 	set_custom_minimum_size(Vector2(real_t(width), 0));
 }
 

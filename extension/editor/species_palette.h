@@ -2,7 +2,7 @@
 // The species that the brush plants, selected by picture and name from those of the selected field.
 #pragma once
 
-#include "nodes/grass_field.h"
+#include "editor/species_drop.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/item_list.hpp>
@@ -43,6 +43,7 @@ private:
 	static Entry entry_of(const godot::Ref<GrassSpecies> &p_species, int p_number);
 	void fill();
 
+	const godot::Ref<GrassSpecies> _default = make_default_species(); // of fields that name none
 	std::vector<Entry> _entries;
 	bool _is_chosen = false; // by the user
 };

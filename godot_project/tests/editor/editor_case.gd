@@ -173,9 +173,28 @@ func press_and_move() -> void:
 	assert_true(plugin.get_statistics().active)
 
 
+## Lets go over a part of the toolbar of something dragged from the file dock.
+func drop(dragged: Dictionary, on: String) -> void:
+	await drop_at(dragged, (toolbar.get_node(on) as Control).get_global_rect().get_center())
+
+
+func drop_at(dragged: Dictionary, target: Vector2) -> void:
+	var from: Control = EditorInterface.get_base_control().find_children("*", "FileSystemDock", true, false)[0]
+	var middle := from.get_global_rect().get_center()
+	await move(middle)
+	await button(MOUSE_BUTTON_LEFT, true, middle)
+	get_tree().root.warp_mouse(target)  # the engine tells controls the pointer's own place, not the event's
+	from.force_drag(dragged, Control.new())
+	for step in 4:
+		await move(middle.lerp(target, 0.25 * (step + 1)), MOUSE_BUTTON_MASK_LEFT)
+	await button(MOUSE_BUTTON_LEFT, false, target)
+	await frames(2)
+	get_tree().root.warp_mouse(get_tree().root.size / 2)
+
+
 ## Sets a number of the brush by its slider.
 func set_number(slider: String, value: float) -> void:
-	(toolbar.get_node(slider) as Range).value = value
+	(toolbar.find_child(slider, true, false) as Range).value = value
 	assert_near(number(slider), value, 1e-6, slider)
 
 
@@ -184,7 +203,7 @@ func set_limit(slider: String, value: float) -> void:
 
 
 func number(slider: String) -> float:
-	return (toolbar.get_node(slider) as Range).value
+	return (toolbar.find_child(slider, true, false) as Range).value
 
 
 func channel(of: GrassMap.Channel) -> float:

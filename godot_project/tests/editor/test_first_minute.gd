@@ -159,8 +159,9 @@ func test_species_are_chosen_by_picture_and_name() -> void:
 	assert_eq(chosen(), "Clover", "the one that is left")
 	field.species = []
 	await frames(2)
-	assert_eq(names(), ["Drop a species here"])
-	assert_true(palette().tooltip_text.contains("`species`"), "says what to do")
+	assert_eq(names(), ["As mixed", "Default Grass", "Drop one here"])
+	assert_eq(chosen(), "Default Grass")
+	assert_true(palette().tooltip_text.contains("Drop a GrassSpecies here"), "says what to do")
 
 
 ## Of what is drawn in a picture.

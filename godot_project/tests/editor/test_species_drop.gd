@@ -7,54 +7,56 @@ const DRAWN := ["test_a_preset_that_is_dropped_on_a_field_grows_there", "test_a_
 const PRESETS := "res://addons/grass_field/presets/"
 
 
-## Lets go over a part of the toolbar of what the file dock would have been dragging.
-func drop(files: PackedStringArray, on: String) -> void:
-	await drop_at(files, (toolbar.get_node(on) as Control).get_global_rect().get_center())
-
-
-func drop_at(files: PackedStringArray, target: Vector2) -> void:
-	var from: Control = EditorInterface.get_base_control().find_children("*", "FileSystemDock", true, false)[0]
-	var middle := from.get_global_rect().get_center()
-	await move(middle)
-	await button(MOUSE_BUTTON_LEFT, true, middle)
-	get_tree().root.warp_mouse(target)  # the engine tells controls the pointer's own place, not the event's
-	from.force_drag({type = "files", files = files}, Control.new())
-	for step in 4:
-		await move(middle.lerp(target, 0.25 * (step + 1)), MOUSE_BUTTON_MASK_LEFT)
-	await button(MOUSE_BUTTON_LEFT, false, target)
-	await frames(2)
-
-
-func after() -> void:
-	get_tree().root.warp_mouse(get_tree().root.size / 2)
-	await super()
+## What the file dock would have been dragging.
+func files(paths: PackedStringArray) -> Dictionary:
+	return {type = "files", files = paths}
 
 
 func over_views() -> int:
 	return get_tree().root.find_children("*", "ViewDrop", true, false).size()
 
 
-func test_a_preset_grows_and_is_in_the_hand() -> void:
-	await drop([PRESETS + "wheat.tres"], "Species")
-	if not assert_eq(field.species.size(), 1):
-		return
-	assert_eq(field.species[0].resource_path, PRESETS + "wheat.tres")
-	assert_true((toolbar.get_node("Species") as Button).button_pressed)
-	await drop([PRESETS + "clover.tres", PRESETS + "wheat.tres", PRESETS + "daisy.tres"], "SpeciesTarget")
-	assert_eq(field.species.size(), 3, "none twice")
+## Whether a species is what a field grows that names none.
+func is_default(species: GrassSpecies) -> bool:
+	var fresh := GrassSpecies.new()
+	for property in fresh.get_property_list():
+		var is_own: bool = property.usage & PROPERTY_USAGE_STORAGE and not property.name.begins_with("resource_")
+		if is_own and fresh.get(property.name) != species.get(property.name):
+			return false
+	return species.resource_path.is_empty() or species.resource_path.contains("::")
+
+
+func test_a_preset_grows_beside_what_grew_there_and_is_in_the_hand() -> void:
 	var palette: ItemList = toolbar.get_node("SpeciesTarget")
-	assert_true(palette.is_selected(3) and palette.get_item_text(3) == "Daisy", "the last one is chosen")
+	await take("Species")
+	assert_eq(range(palette.item_count).map(palette.get_item_text), ["As mixed", "Default Grass", "Drop one here"])
+	assert_eq(palette.get_selected_items(), PackedInt32Array([1]))
+	assert_false(palette.is_item_selectable(2))
+	await drop(files([PRESETS + "wheat.tres"]), "Species")
+	if not assert_eq(field.species.size(), 2):
+		return
+	assert_true(is_default(field.species[0]), "what grew there")
+	assert_eq(field.species[1].resource_path, PRESETS + "wheat.tres")
+	await frames(2)
+	assert_eq(range(palette.item_count).map(palette.get_item_text), ["As mixed", "Default Grass", "Wheat"])
+	assert_true((toolbar.get_node("Species") as Button).button_pressed)
+	await drop(files([PRESETS + "clover.tres", PRESETS + "wheat.tres", PRESETS + "daisy.tres"]), "SpeciesTarget")
+	assert_eq(field.species.size(), 4, "none twice")
+	assert_true(palette.is_selected(4) and palette.get_item_text(4) == "Daisy", "the last one is chosen")
 	await stroke([Vector3(-1, 0, 0), Vector3(1, 0, 0)])
-	assert_eq(field.map.sample(GrassMap.CHANNEL_SPECIES, Vector2(0.25, 0.25)), 3.0, "and planted")
+	assert_eq(field.map.sample(GrassMap.CHANNEL_SPECIES, Vector2(0.25, 0.25)), 4.0, "and planted")
 	await undo()
 	await undo()
-	assert_eq(field.species.size(), 1)
+	assert_eq(field.species.size(), 2)
+	await undo()
+	assert_eq(field.species.size(), 0)
 	await redo()
-	assert_eq(field.species.size(), 3)
+	await redo()
+	assert_eq(field.species.size(), 4)
 
 
 func test_what_is_no_species_is_not_taken() -> void:
-	await drop(["res://tests/editor/hills.tscn"], "Species")
+	await drop(files(["res://tests/editor/hills.tscn"]), "Species")
 	assert_eq(field.species.size(), 0)
 
 
@@ -68,8 +70,8 @@ func test_a_preset_that_is_dropped_on_a_field_grows_there() -> void:
 	right.owner = field.owner
 	await select(null)
 	assert_false(toolbar.is_visible_in_tree())
-	await drop_at([PRESETS + "clover.tres"], at(Vector3(2, 0, 0)))
-	if not assert_eq(right.species.size(), 1, "the field under the cursor grows it"):
+	await drop_at(files([PRESETS + "clover.tres"]), at(Vector3(2, 0, 0)))
+	if not assert_eq(right.species.size(), 2, "the field under the cursor grows it beside its own"):
 		return
 	assert_eq(field.species.size(), 0, "no other one")
 	assert_eq(over_views(), 0, "nothing is left over the view")
@@ -81,21 +83,21 @@ func test_a_preset_that_is_dropped_on_a_field_grows_there() -> void:
 	await undo()
 	await undo()
 	assert_eq(right.species.size(), 0, "one step")
-	await drop_at([PRESETS + "clover.tres"], at(Vector3(-3, 0, 0)))
+	await drop_at(files([PRESETS + "clover.tres"]), at(Vector3(-3, 0, 0)))
 	assert_eq(right.species.size() + field.species.size(), 0, "no field there")
 	await select(field)
 
 
 func test_a_picture_that_is_dropped_on_a_tool_is_the_stamp() -> void:
-	var stamp: Button = toolbar.get_node("Stamp")
+	var stamp: Button = toolbar.get_node("Shape/Stamp")
 	assert_false(stamp.visible)
-	await drop(["res://tests/editor/right_half.tres"], "Erase")
+	await drop(files(["res://tests/editor/right_half.tres"]), "Erase")
 	if not assert_true(stamp.visible, "the toolbar shows it"):
 		return
 	(toolbar.get_node("Erase") as Button).button_pressed = true
 	set_number("Strength", 1.0)
 	set_number("Radius", 2.0)
-	assert_eq((toolbar.get_node("StampRotation") as EditorSpinSlider).suffix, "°")
+	assert_eq((toolbar.get_node("Shape/StampRotation") as EditorSpinSlider).suffix, "°")
 	await move(at(Vector3.ZERO))
 	field.density = 144.0
 	await wait_until(func() -> bool: return not field.get_statistics().waiting, "the field is made")
@@ -120,12 +122,12 @@ func test_a_stamp_over_the_border_of_two_fields_is_whole() -> void:
 	EditorInterface.get_edited_scene_root().add_child(right)
 	right.owner = field.owner
 	await frames(2)
-	await drop(["res://tests/editor/right_half.tres"], "Erase")
+	await drop(files(["res://tests/editor/right_half.tres"]), "Erase")
 	(toolbar.get_node("Erase") as Button).button_pressed = true
 	set_number("Strength", 1.0)
 	set_number("Radius", 1.5)
 	await stroke([Vector3(2, 0, 0)])
-	await click(toolbar.get_node("Stamp"))
+	await click(toolbar.get_node("Shape/Stamp"))
 	if not assert_true(right.map != null, "both are painted"):
 		return
 	for place: Vector3 in [Vector3(2.75, 0, 0.75), Vector3(2.75, 0, -0.75)]:
