@@ -11,6 +11,7 @@
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <utility>
@@ -45,10 +46,12 @@ void GrassEditorPlugin::_enter_tree() {
 	KeptPlotsDialog::create();
 	GrassWorld::places_changed = &KeptPlotsDialog::ask;
 	OwnMapDialog::create();
+	get_tree()->connect("node_added", callable_mp(this, &GrassEditorPlugin::_node_added));
 	set_process(true);
 }
 
 void GrassEditorPlugin::_exit_tree() {
+	get_tree()->disconnect("node_added", callable_mp(this, &GrassEditorPlugin::_node_added));
 	clear_editor_hooks();
 	GrassWorld::scene_saved = nullptr;
 	GrassWorld::places_changed = nullptr;
@@ -87,6 +90,12 @@ void GrassEditorPlugin::_notification(int p_what) {
 		} else if (!_stroke.is_active()) { // a stroke keeps a snapshot, which must contain whole strokes and all ground
 			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
 		}
+	}
+}
+
+void GrassEditorPlugin::_node_added(Object *p_node) {
+	if (const Node *node = Object::cast_to<Node>(p_node); node != nullptr && _new_nodes.see(*node)) {
+		callable_mp(this, &GrassEditorPlugin::_node_is_placed).call_deferred(int64_t(node->get_instance_id()));
 	}
 }
 

@@ -9,6 +9,7 @@
 #include "editor/export_masks.h"
 #include "editor/grass_export_plugin.h"
 #include "editor/ground_watch.h"
+#include "editor/new_nodes.h"
 #include "editor/paint_stroke.h"
 #include "editor/picture_dialog.h"
 #include "editor/ring_view.h"
@@ -74,6 +75,8 @@ private:
 	using MapChange = std::function<bool(GrassField &r_field, GrassMap &r_map)>; // returns whether anything was done
 	void change_maps(const char *p_name, const MapChange &p_change);
 	std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, const MapChange &p_change);
+	void _node_added(godot::Object *p_node);
+	void _node_is_placed(int64_t p_id) { _new_nodes.furnish(uint64_t(p_id)); }
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
@@ -89,6 +92,7 @@ private:
 	godot::Ref<ExportMasks> _export_masks;
 	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _selected_id = 0; // of the selected field or world; 0: none
+	NewNodes _new_nodes;
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	DuplicatedFields _duplicates;
