@@ -8,6 +8,7 @@
 #include "draw/shared_shader.h"
 #include "editor/grass_editor_plugin.h"
 #include "editor/kept_plots_dialog.h"
+#include "editor/limit_slider.h"
 #include "editor/own_map_dialog.h"
 #include "editor/species_preview.h"
 #include "gpu/render_queue.h"
@@ -61,6 +62,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		GDREGISTER_INTERNAL_CLASS(grass::LimitSlider);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPalette);
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
 		GDREGISTER_INTERNAL_CLASS(grass::ViewDrop);

@@ -8,6 +8,7 @@
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/popup_menu.hpp>
+#include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -19,8 +20,9 @@ namespace grass {
 
 namespace {
 
-// In the editor's unscaled pixels: the part of the window that docks occupy, and the least width that is left to the toolbar.
-constexpr double DOCKS = 540.0, NARROWEST = 480.0;
+// In the editor's unscaled pixels: the part of the window that docks occupy, the least width that is left to the toolbar, and the margin
+// of what lies over the view.
+constexpr real_t DOCKS = 540, NARROWEST = 480, MARGIN = 8;
 
 } // namespace
 
@@ -38,6 +40,14 @@ void BrushToolbar::_notification(int p_what) {
 		load_icons();
 		fit();
 	} else if (p_what == NOTIFICATION_ENTER_TREE) {
+		Node *editor = this; // as for its own tools: their keys work while the 3D editor has the focus
+		while (editor != nullptr && editor->get_class() != "Node3DEditor") {
+			editor = editor->get_parent();
+		}
+		for (Button *button : _tools) {
+			button->set_shortcut_context(editor);
+		}
+		_why->set_shortcut_context(editor);
 		get_window()->connect("size_changed", callable_mp(this, &BrushToolbar::fit));
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
 		get_window()->disconnect("size_changed", callable_mp(this, &BrushToolbar::fit));
@@ -48,15 +58,31 @@ void BrushToolbar::fit() {
 	if (!is_inside_tree()) {
 		return;
 	}
-	const double gap = get_theme_constant("h_separation", "FlowContainer");
-	double row = 0.0;
+	const real_t gap = real_t(get_theme_constant("h_separation", "FlowContainer"));
+	const Control *stamps[] = { _stamp, slider_of(BRUSH_STAMP_ROTATION), slider_of(BRUSH_STAMP_RANDOM) };
+	real_t width = -gap;
+	for (const Control *control : stamps) {
+		width += control->get_combined_minimum_size().x + gap;
+	}
+	slider_of(BRUSH_HARDNESS)->set_custom_minimum_size(Vector2(width, 0)); // which takes their place
+	_shape->set_custom_minimum_size(Vector2(width, 0));
+	const real_t color = _color->is_visible() ? _color->get_combined_minimum_size().x + gap : real_t(0);
+	slider_of(BRUSH_TARGET)->set_custom_minimum_size(Vector2(_no_target->get_combined_minimum_size().x - color, 0));
+	real_t rows[2] = { -gap, -gap }, tallest = 0;
 	for (int32_t i = 0; i < get_child_count(); i++) {
 		const Control *control = Object::cast_to<Control>(get_child(i));
-		row += control != nullptr && control->is_visible() ? double(control->get_combined_minimum_size().x) + gap : 0.0;
+		const bool is_in_row = control->is_visible() && !control->is_set_as_top_level() && control != _row_end;
+		rows[i > _row_end->get_index() ? 1 : 0] += is_in_row ? control->get_combined_minimum_size().x + gap : real_t(0);
+		tallest = std::max(tallest, control->is_set_as_top_level() ? real_t(0) : control->get_combined_minimum_size().y);
 	}
-	const double scale = EditorInterface::get_singleton()->get_editor_scale();
-	const double room = double(get_window()->get_size().x) - DOCKS * scale;
-	set_custom_minimum_size(Vector2(real_t(std::min(row, std::max(room, NARROWEST * scale))), 0));
+	const real_t widest = std::max(rows[0] + gap, rows[1]);
+	_row_end->set_custom_minimum_size(Vector2(std::max(real_t(0), widest - rows[0] - gap), tallest)); // nothing else has room beside it
+	for (const BrushParamId param : { BRUSH_RADIUS, BRUSH_HARDNESS, BRUSH_STAMP_ROTATION, BRUSH_STAMP_RANDOM }) {
+		slider_of(param)->set_custom_minimum_size(Vector2(slider_of(param)->get_custom_minimum_size().x, tallest));
+	}
+	const real_t scale = real_t(EditorInterface::get_singleton()->get_editor_scale());
+	const real_t room = std::max(real_t(get_window()->get_size().x) - DOCKS * scale, NARROWEST * scale);
+	set_custom_minimum_size(Vector2(std::min(widest, room), 0));
 }
 
 void BrushToolbar::show_brush() {
@@ -82,9 +108,10 @@ void BrushToolbar::show_brush() {
 	slider_of(BRUSH_HARDNESS)->set_visible(!has_stamp);
 	slider_of(BRUSH_STAMP_ROTATION)->set_visible(has_stamp);
 	slider_of(BRUSH_STAMP_RANDOM)->set_visible(has_stamp);
-	_species->set_visible(tool == GrassBrush::TOOL_SPECIES);
+	_species->set_visible(_has_tool && tool == GrassBrush::TOOL_SPECIES);
 	_color->set_visible(tool == GrassBrush::TOOL_TINT);
 	_channel->set_visible(tool == GrassBrush::TOOL_SMOOTH);
+	_no_target->set_visible(tool == GrassBrush::TOOL_ERASE || tool == GrassBrush::TOOL_SPECIES);
 	_showing = false;
 	fit();
 }
@@ -127,7 +154,22 @@ void BrushToolbar::_tool_toggled(bool) {
 			_brush->set_tool(TOOLS[i].tool);
 		}
 	}
+	show_brush();
 	emit_signal("tool_changed");
+}
+
+void BrushToolbar::offer_bake(const String &p_reason) {
+	_offer->set_visible(!p_reason.is_empty());
+	_offer->set_text(p_reason);
+}
+
+void BrushToolbar::place_over_view() {
+	const Control *view = Object::cast_to<Control>(EditorInterface::get_singleton()->get_editor_viewport_3d(0)->get_parent());
+	const real_t margin = MARGIN * real_t(EditorInterface::get_singleton()->get_editor_scale());
+	for (Control *control : { static_cast<Control *>(_species), static_cast<Control *>(_offer) }) {
+		control->reset_size();
+		control->set_global_position(view->get_global_position() + Vector2(margin, view->get_size().y - control->get_size().y - margin));
+	}
 }
 
 void BrushToolbar::_number_changed(double) {

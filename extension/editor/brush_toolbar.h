@@ -53,6 +53,8 @@ public:
 	void show_species(const GrassField *p_field); // shows the current species of the selected field
 	void take_species(int64_t p_species); // selects a species to plant
 	void nudge(Number p_number, int p_notches);
+	void offer_bake(const godot::String &p_reason); // over the 3D view; empty: it is not offered
+	void place_over_view(); // keeps what lies over the view in its corner. Must be called in each frame in which the toolbar is visible
 	godot::Color get_tool_color(MapTool p_tool) const; // for the ring: colour of the current tool, or of what the held keys make of it
 
 protected:
@@ -66,18 +68,21 @@ private:
 	};
 
 	void add_tools();
-	void add_tool(godot::Button *p_button, const char *p_name, const godot::String &p_tooltip);
+	void add_tool(godot::Button *p_button, const char *p_name, godot::Key p_key, const godot::String &p_tooltip);
 	void add_numbers();
+	void add_target();
 	void add_limits();
+	void lay_over_view(godot::Control *p_control);
+	void add_palette();
+	void add_offer();
 	void add_bake();
 	void add_menu();
-	godot::EditorSpinSlider *add_slider(
-			godot::Node *p_parent, const Tunable &p_tunable, const char *p_label, const char *p_tooltip, double p_width);
-	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width);
+	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width,
+			godot::EditorSpinSlider *p_slider = memnew(godot::EditorSpinSlider));
 	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
 	void load_icons();
 	bool is_checked(MenuItem p_item) const;
-	void fit(); // uses one row if the window has room beside its docks, otherwise as many as needed
+	void fit(); // two rows, or more in a small window: nothing moves, whichever tool is chosen
 	void show_brush(); // copies the brush's properties to the controls
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);
@@ -96,7 +101,10 @@ private:
 	godot::Ref<godot::ButtonGroup> _group; // at most one of it is pressed
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
-	SpeciesPalette *_species = nullptr;
+	godot::HFlowContainer *_shape = nullptr; // of the brush: hardness or stamp
+	SpeciesPalette *_species = nullptr; // over the view, like the offer: above it, they would push it down
+	godot::Button *_offer = nullptr;
+	godot::Control *_row_end = nullptr, *_no_target = nullptr; // empty: ends the first row; stands where a tool has no number
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
 	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr, *_stamp = nullptr;

@@ -2,15 +2,19 @@
 // Makes the toolbar's controls: buttons, sliders, the panel of limits, the menu. brush_toolbar.cpp has their behaviour.
 #include "editor/brush_toolbar.h"
 
+#include "editor/limit_slider.h"
 #include "editor/paint_stroke.h"
 #include "editor/tool_info.h"
-#include "shared/text.h"
+#include "shared/params.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/editor_settings.hpp>
 #include <godot_cpp/classes/grid_container.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/classes/input_event_key.hpp>
 #include <godot_cpp/classes/popup_menu.hpp>
+#include <godot_cpp/classes/shortcut.hpp>
 #include <godot_cpp/classes/v_separator.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -20,10 +24,27 @@ namespace grass {
 
 namespace {
 
-constexpr double WIDE = 118.0, NARROW = 92.0; // of sliders, in the editor's unscaled pixels
+// In the editor's unscaled pixels: widths of sliders, and of a button with a picture or a colour.
+constexpr double WIDE = 112.0, NARROW = 92.0, TARGET = 150.0, LIMIT_WIDE = 150.0, STAMP = 28.0, COLORED = 40.0;
 
-double editor_scale() {
-	return EditorInterface::get_singleton()->get_editor_scale();
+Vector2 wide(double p_width) {
+	return Vector2(real_t(p_width * EditorInterface::get_singleton()->get_editor_scale()), 0);
+}
+
+// Returns what the editor's settings list as a shortcut, with the user's key if there is one.
+Ref<Shortcut> shortcut_of(const char *p_name, Key p_key) {
+	Ref<InputEventKey> key;
+	key.instantiate();
+	key->set_keycode(p_key);
+	Array events;
+	events.push_back(key);
+	Ref<Shortcut> shortcut;
+	shortcut.instantiate();
+	shortcut->set_name(p_name);
+	shortcut->set_events(events);
+	Ref<EditorSettings> settings = EditorInterface::get_singleton()->get_editor_settings();
+	settings->add_shortcut(shortcut_path(p_name), shortcut);
+	return settings->get_shortcut(shortcut_path(p_name));
 }
 
 } // namespace
@@ -32,13 +53,17 @@ BrushToolbar::BrushToolbar() {
 	_brush.instantiate();
 	add_tools();
 	add_child(memnew(VSeparator));
-	add_numbers();
-	add_limits();
-	add_child(memnew(VSeparator));
 	_why = memnew(Button);
-	add_tool(_why, "Why", "Why is there no grass here? Point at a place.\nEsc: stop asking.");
+	add_tool(_why, "Why", WHY_KEY, "Why is there no grass here? Point at a place.\nEsc: stop asking.");
 	add_bake();
 	add_menu();
+	_row_end = memnew(Control);
+	add_child(_row_end);
+	add_numbers();
+	add_target();
+	add_limits();
+	add_palette();
+	add_offer();
 	_brush->connect("changed", callable_mp(this, &BrushToolbar::show_brush));
 	show_brush();
 }
@@ -48,40 +73,36 @@ void BrushToolbar::add_tools() {
 	_group->set_allow_unpress(true);
 	for (const ToolInfo &info : TOOLS) {
 		_tools.push_back(memnew(Button));
-		const char *name = name_of(info.tool);
-		add_tool(_tools.back(), name, String(name) + ": " + info.tooltip + "\nShift: smooth. Esc: put the brush down.");
+		add_tool(_tools.back(), name_of(info.tool), info.key, String(info.tooltip) + "\nShift: smooth. Esc: put the brush down.");
 	}
 }
 
-void BrushToolbar::add_tool(Button *p_button, const char *p_name, const String &p_tooltip) {
+void BrushToolbar::add_tool(Button *p_button, const char *p_name, Key p_key, const String &p_tooltip) {
 	p_button->set_name(p_name);
 	p_button->set_toggle_mode(true);
 	p_button->set_button_group(_group);
 	p_button->set_theme_type_variation("FlatButton");
 	p_button->set_focus_mode(FOCUS_NONE); // keys stay with the view
-	p_button->set_tooltip_text(p_tooltip);
+	p_button->set_tooltip_text(p_tooltip); // below the shortcut's name and key
+	p_button->set_shortcut(shortcut_of(p_name, p_key));
 	p_button->connect("toggled", callable_mp(this, &BrushToolbar::_tool_toggled));
 	add_child(p_button);
 }
 
-EditorSpinSlider *BrushToolbar::add_slider(
-		Node *p_parent, const Tunable &p_tunable, const char *p_label, const char *p_tooltip, double p_width) {
-	EditorSpinSlider *slider = memnew(EditorSpinSlider);
-	slider->set_name(String(p_tunable.name).to_pascal_case());
-	slider->set_label(p_label);
-	slider->set_suffix(unit_of(p_tunable));
-	slider->set_min(p_tunable.minimum);
-	slider->set_max(p_tunable.maximum);
-	slider->set_step(p_tunable.step);
-	slider->set_tooltip_text(p_tooltip);
-	slider->set_custom_minimum_size(Vector2(real_t(p_width * editor_scale()), 0));
-	slider->connect("value_changed", callable_mp(this, &BrushToolbar::_number_changed));
-	p_parent->add_child(slider);
-	return slider;
-}
-
-void BrushToolbar::add_slider(Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width) {
-	_sliders.push_back({ p_param, add_slider(p_parent, BRUSH_PARAMS[p_param], p_label, p_tooltip, p_width) });
+void BrushToolbar::add_slider(
+		Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width, EditorSpinSlider *p_slider) {
+	const Tunable &tunable = BRUSH_PARAMS[p_param];
+	p_slider->set_name(String(tunable.name).to_pascal_case());
+	p_slider->set_label(p_label);
+	p_slider->set_suffix(unit_of(tunable));
+	p_slider->set_min(tunable.minimum);
+	p_slider->set_max(tunable.maximum);
+	p_slider->set_step(tunable.step);
+	p_slider->set_tooltip_text(p_tooltip);
+	p_slider->set_custom_minimum_size(wide(p_width));
+	p_slider->connect("value_changed", callable_mp(this, &BrushToolbar::_number_changed));
+	p_parent->add_child(p_slider);
+	_sliders.push_back({ p_param, p_slider });
 }
 
 void BrushToolbar::add_numbers() {
@@ -89,55 +110,52 @@ void BrushToolbar::add_numbers() {
 	slider_of(BRUSH_RADIUS)->set_exp_ratio(true);
 	add_slider(this, BRUSH_STRENGTH, "Strength",
 			"How far one touch moves the grass towards its target.\nCtrl + [ and ], or Ctrl + Shift + mouse wheel.", WIDE);
-	add_slider(this, BRUSH_HARDNESS, "Hardness",
+	_shape = memnew(HFlowContainer); // stays together where the window is small
+	_shape->set_name("Shape");
+	add_child(_shape);
+	add_slider(_shape, BRUSH_HARDNESS, "Hardness",
 			"Share of the radius that gets the full strength: the inner ring.\nShift + [ and ], or Shift + mouse wheel.", WIDE);
 	_stamp = memnew(Button);
 	_stamp->set_name("Stamp");
-	_stamp->set_custom_minimum_size(Vector2(1, 1) * real_t(28 * editor_scale()));
+	_stamp->set_custom_minimum_size(wide(STAMP));
 	_stamp->set_expand_icon(true);
 	_stamp->set_focus_mode(FOCUS_NONE);
 	_stamp->set_tooltip_text(
 			"The picture that each touch leaves. Press it to remove the picture.\nDrop another picture on a tool to change it.");
 	_stamp->connect("pressed", callable_mp(this, &BrushToolbar::_stamp_pressed));
-	add_child(_stamp);
-	add_slider(this, BRUSH_STAMP_ROTATION, "Turn", "Rotation of the stamp.", WIDE);
-	add_slider(this, BRUSH_STAMP_RANDOM, "Random", "Maximum random rotation that is added to each stamp.", WIDE);
-	constexpr const char *TARGET_TOOLTIP = "The value to which the tool brings the grass.\nCtrl + Shift + [ and ].";
-	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
-	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
-	_species = memnew(SpeciesPalette);
-	_species->set_name("SpeciesTarget");
-	_species->connect("minimum_size_changed", callable_mp(this, &BrushToolbar::fit));
-	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
-	add_child(_species);
-	for (size_t i = 0; i < _tools.size(); i++) { // a species dropped on either one is added to the field
-		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
-			for (Control *control : { static_cast<Control *>(_tools[i]), static_cast<Control *>(_species) }) {
-				control->set_drag_forwarding(
-						Callable(), callable_mp(this, &BrushToolbar::_can_take_dragged), callable_mp(this, &BrushToolbar::_take_dragged));
-			}
-			continue;
-		}
-		_tools[i]->set_drag_forwarding(
-				Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
-	}
+	_shape->add_child(_stamp);
+	add_slider(_shape, BRUSH_STAMP_ROTATION, "Turn", "Rotation of the stamp.", NARROW);
+	add_slider(_shape, BRUSH_STAMP_RANDOM, "Random", "Maximum random rotation that is added to each stamp.", NARROW);
 	_stamp->set_drag_forwarding(
 			Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
+}
+
+// What the tool brings the grass to, in one place for all tools.
+void BrushToolbar::add_target() {
+	constexpr const char *TARGET_TOOLTIP = "The value to which the tool brings the grass.\nCtrl + Shift + [ and ].";
+	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, TARGET);
+	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, TARGET);
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
-	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));
+	_color->set_custom_minimum_size(wide(COLORED));
 	_color->set_edit_alpha(false);
 	_color->set_tooltip_text("Colour of the blades.");
 	_color->connect("color_changed", callable_mp(_brush.ptr(), &GrassBrush::set_color));
 	add_child(_color);
 	_channel = memnew(OptionButton);
 	_channel->set_name("Channel");
+	_channel->set_custom_minimum_size(wide(TARGET));
+	_channel->set_clip_text(true);
+	_channel->set_fit_to_longest_item(false);
 	_channel->set_tooltip_text("What the brush evens out.");
 	for (const ChannelName &smoothed : SMOOTHED) {
 		_channel->add_item(smoothed.name, smoothed.channel);
 	}
 	_channel->connect("item_selected", callable_mp(this, &BrushToolbar::_channel_selected));
 	add_child(_channel);
+	_no_target = memnew(Control);
+	_no_target->set_custom_minimum_size(wide(TARGET));
+	add_child(_no_target);
 }
 
 void BrushToolbar::add_limits() {
@@ -152,10 +170,48 @@ void BrushToolbar::add_limits() {
 	GridContainer *grid = memnew(GridContainer);
 	grid->set_columns(2);
 	_limits_panel->add_child(grid);
-	add_slider(grid, BRUSH_SLOPE_MIN, "Slope from", "The smallest slope that is painted.", 1.5 * WIDE);
-	add_slider(grid, BRUSH_SLOPE_MAX, "to", "The largest slope that is painted.", NARROW);
-	add_slider(grid, BRUSH_HEIGHT_MIN, "Height from", "The lowest ground that is painted, above the field's own height.", 1.5 * WIDE);
-	add_slider(grid, BRUSH_HEIGHT_MAX, "to", "The highest ground that is painted, above the field's own height.", NARROW);
+	const auto add = [&](BrushParamId p_param, LimitSlider::Side p_side, const char *p_label, const char *p_tooltip, double p_width) {
+		add_slider(grid, p_param, p_label, p_tooltip, p_width, LimitSlider::create(p_side));
+	};
+	add(BRUSH_SLOPE_MIN, LimitSlider::LOWEST, "Slope from", "The smallest slope that is painted.", LIMIT_WIDE);
+	add(BRUSH_SLOPE_MAX, LimitSlider::HIGHEST, "to", "The largest slope that is painted.", NARROW);
+	add(BRUSH_HEIGHT_MIN, LimitSlider::LOWEST, "Height from", "The lowest ground that is painted, above the field's own height.",
+			LIMIT_WIDE);
+	add(BRUSH_HEIGHT_MAX, LimitSlider::HIGHEST, "to", "The highest ground that is painted, above the field's own height.", NARROW);
+}
+
+void BrushToolbar::lay_over_view(Control *p_control) {
+	p_control->set_as_top_level(true);
+	p_control->set_z_index(1);
+	p_control->hide();
+	add_child(p_control);
+}
+
+void BrushToolbar::add_palette() {
+	_species = memnew(SpeciesPalette);
+	_species->set_name("SpeciesTarget");
+	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
+	lay_over_view(_species);
+	for (size_t i = 0; i < _tools.size(); i++) { // a species dropped on either one is added to the field
+		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
+			for (Control *control : { static_cast<Control *>(_tools[i]), static_cast<Control *>(_species) }) {
+				control->set_drag_forwarding(
+						Callable(), callable_mp(this, &BrushToolbar::_can_take_dragged), callable_mp(this, &BrushToolbar::_take_dragged));
+			}
+			continue;
+		}
+		_tools[i]->set_drag_forwarding(
+				Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
+	}
+}
+
+void BrushToolbar::add_offer() {
+	_offer = memnew(Button);
+	_offer->set_name("BakeOffer");
+	_offer->set_focus_mode(FOCUS_NONE);
+	_offer->set_tooltip_text("Reads the ground from collision shapes, so that the grass grows on it, as *Bake Ground* does.");
+	_offer->connect("pressed", callable_mp(this, &BrushToolbar::_bake_pressed));
+	lay_over_view(_offer);
 }
 
 void BrushToolbar::add_bake() {
@@ -208,7 +264,8 @@ void BrushToolbar::load_icons() {
 	const auto icon_of = [&](const char *p_svg) {
 		Ref<Image> image;
 		image.instantiate();
-		image->load_svg_from_string(String(p_svg).replace("#e0e0e0", text_color), real_t(editor_scale()));
+		image->load_svg_from_string(
+				String(p_svg).replace("#e0e0e0", text_color), real_t(EditorInterface::get_singleton()->get_editor_scale()));
 		return ImageTexture::create_from_image(image);
 	};
 	for (size_t i = 0; i < _tools.size(); i++) {

@@ -64,6 +64,7 @@ void GrassEditorPlugin::_bake_pressed() {
 	if (!may_change([this] { _bake_pressed(); })) {
 		return;
 	}
+	_frames_to_offer = 0;
 	bool found = false;
 	change_maps("Bake Grass Ground", [&found](GrassField &r_field, GrassMap &) {
 		const bool is_here = r_field.bake_whole_ground() > 0;
@@ -71,7 +72,8 @@ void GrassEditorPlugin::_bake_pressed() {
 		return is_here;
 	});
 	if (!found) {
-		toast("GrassField: no ground found. Add a collision shape to what the grass should grow on.");
+		toast("GrassField: no ground found. Add a collision shape to what the grass should grow on, and see that `ground_mask` and "
+			  "`ground_group` mean it.");
 	}
 }
 

@@ -2,6 +2,7 @@
 // The plugin's life. Mouse and keys: grass_editor_input.cpp; buttons and drops: grass_editor_actions.cpp.
 #include "editor/grass_editor_plugin.h"
 
+#include "editor/bake_offer.h"
 #include "editor/fill_action.h"
 #include "editor/kept_plots_dialog.h"
 #include "editor/own_map_dialog.h"
@@ -19,6 +20,12 @@
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+constexpr int FRAMES_AN_OFFER = 20; // More: the offer comes late, and stays after its ground was baked. Less: more rays.
+
+} // namespace
 
 void GrassEditorPlugin::_enter_tree() {
 	set_editor_hooks();
@@ -81,9 +88,7 @@ void GrassEditorPlugin::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_DRAG_END) {
 		end_drag();
 	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
-		if (_toolbar->is_visible()) {
-			_toolbar->show_species(find_field());
-		}
+		update_toolbar();
 		_duplicates.update(EditorInterface::get_singleton()->get_edited_scene_root());
 		if (!_toolbar->follows_ground()) {
 			_watch.forget();
@@ -91,6 +96,21 @@ void GrassEditorPlugin::_notification(int p_what) {
 			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
 		}
 	}
+}
+
+// A field that stands on its plane, where ground is not even, offers to bake it. The brush does so by itself.
+void GrassEditorPlugin::update_toolbar() {
+	if (!_toolbar->is_visible()) {
+		return;
+	}
+	_toolbar->show_species(find_field());
+	if (--_frames_to_offer <= 0) {
+		_frames_to_offer = FRAMES_AN_OFFER;
+		const GrassField *field = Object::cast_to<GrassField>(find_selected());
+		const bool is_idle = field != nullptr && !_toolbar->has_tool() && !_toolbar->is_asking();
+		_toolbar->offer_bake(is_idle ? find_bake_offer(*field) : String());
+	}
+	_toolbar->place_over_view();
 }
 
 void GrassEditorPlugin::_node_added(Object *p_node) {
@@ -130,6 +150,7 @@ bool GrassEditorPlugin::_handles(Object *p_object) const {
 void GrassEditorPlugin::_edit(Object *p_object) {
 	put_down();
 	_told_id = 0;
+	_frames_to_offer = 0;
 	_selected_id = p_object == nullptr ? 0 : p_object->get_instance_id();
 	if (_toolbar != nullptr) {
 		_toolbar->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
@@ -197,7 +218,9 @@ void GrassEditorPlugin::put_down() {
 }
 
 void GrassEditorPlugin::_tool_changed() {
+	finish_stroke(); // a key may take another tool while the mouse is down
 	_answer.hide();
+	_frames_to_offer = 0;
 	if (!_toolbar->has_tool()) {
 		put_down();
 	}

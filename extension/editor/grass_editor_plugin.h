@@ -75,6 +75,7 @@ private:
 	using MapChange = std::function<bool(GrassField &r_field, GrassMap &r_map)>; // returns whether anything was done
 	void change_maps(const char *p_name, const MapChange &p_change);
 	std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, const MapChange &p_change);
+	void update_toolbar();
 	void _node_added(godot::Object *p_node);
 	void _node_is_placed(int64_t p_id) { _new_nodes.furnish(uint64_t(p_id)); }
 	void _tool_changed();
@@ -93,6 +94,7 @@ private:
 	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _selected_id = 0; // of the selected field or world; 0: none
 	NewNodes _new_nodes;
+	int _frames_to_offer = 0; // until the plugin looks again whether to offer a bake
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	DuplicatedFields _duplicates;

@@ -115,7 +115,8 @@ void SpeciesPalette::fill() {
 	}
 	set_tooltip_text(_entries.empty() ? NO_FIELD_TOOLTIP : TOOLTIP);
 	set_fixed_column_width(_entries.empty() ? 0 : side * COLUMN / PICTURE);
-	const int width = side * (_entries.empty() ? 3 * COLUMN : (COLUMN + BETWEEN) * std::min(get_item_count(), MOST_COLUMNS) + AROUND) / PICTURE;
+	const int width =
+			side * (_entries.empty() ? 3 * COLUMN : (COLUMN + BETWEEN) * std::min(get_item_count(), MOST_COLUMNS) + AROUND) / PICTURE;
 	set_custom_minimum_size(Vector2(real_t(width), 0));
 }
 

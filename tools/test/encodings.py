@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Finds texts of the extension that would be read in the wrong encoding: a `String` of a `const char *` is Latin-1, so "…" becomes three letters.
+"""Finds texts of the extension that would be read in the wrong encoding.
 
+A `String` of a `const char *` is Latin-1, so "…" becomes three letters.
 Texts beyond ASCII go through `String::utf8()`, those of the core and units of a Tunable through extension/shared/text.h.
 """
 

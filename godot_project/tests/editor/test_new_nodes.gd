@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the editor does for a node that was just added: it has its shape or its curve.
+## What the editor does for a node that was just added: it has its shape or its curve, and a field on a hill offers to bake.
 @tool
 extends "res://tests/editor/editor_case.gd"
 
@@ -17,6 +17,10 @@ func add_by_dialog(node: Node) -> void:
 	history.add_undo_method(root, "remove_child", node)
 	history.commit_action()
 	await frames(2)
+
+
+func offer() -> Button:
+	return toolbar.get_node("BakeOffer")
 
 
 func test_new_exclusions_and_paths_can_be_used_at_once() -> void:
@@ -46,6 +50,22 @@ func test_new_exclusions_and_paths_can_be_used_at_once() -> void:
 	await frames(2)
 	assert_true(by_script.shape == null, "nor what a tool keeps for itself")
 	by_script.free()
+
+
+func test_a_field_on_uneven_ground_offers_to_bake() -> void:
+	await wait_until(func() -> bool: return offer().is_visible_in_tree(), "it is offered")
+	assert_true(offer().text.contains("Bake Ground") and offer().text.contains("m"), offer().text)
+	await take("Erase")
+	await wait_until(func() -> bool: return not offer().visible, "the brush bakes by itself")
+	await click(toolbar.get_node("Erase"))
+	await wait_until(func() -> bool: return offer().visible, "it is offered again")
+	await click(offer())
+	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, FLOOR), 1.316, 0.1)
+	await wait_until(func() -> bool: return not offer().visible, "it is done")
+	await undo()
+	await wait_until(func() -> bool: return offer().visible, "and undone")
+	field.size = Vector2(2, 2)  # between the hills
+	await wait_until(func() -> bool: return not offer().visible, "its plane is the ground")
 
 
 func test_what_is_no_ground_is_passed_by() -> void:
