@@ -247,7 +247,8 @@ bool BrushToolbar::is_checked(MenuItem p_item) const {
 
 void BrushToolbar::fit_to_world(bool p_is_world) {
 	PopupMenu *popup = _menu->get_popup();
-	for (const MenuItem item : { MENU_BARE, MENU_FULL, MENU_CLEAR, MENU_NEIGHBOURS, MENU_UNIQUE }) {
+	for (const MenuItem item : { MENU_BARE, MENU_FULL, MENU_CLEAR, MENU_NEIGHBOURS, MENU_UNIQUE, MENU_COPY, MENU_PASTE, MENU_COPY_SPECIES,
+				 MENU_PASTE_SPECIES }) {
 		popup->set_item_disabled(popup->get_item_index(item), p_is_world);
 	}
 }

@@ -39,6 +39,10 @@ public:
 		MENU_EXPORT,
 		MENU_IMPORT,
 		MENU_UNIQUE,
+		MENU_COPY,
+		MENU_PASTE,
+		MENU_COPY_SPECIES,
+		MENU_PASTE_SPECIES,
 	};
 
 	BrushToolbar();

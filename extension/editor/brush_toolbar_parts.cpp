@@ -240,6 +240,10 @@ void BrushToolbar::add_menu() {
 	add(MENU_FULL, "Full Field", "Grass grows everywhere except where you erase it from now on.");
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
+	add(MENU_COPY, "Copy Grass", "What is painted in the field. Ctrl+C with a tool in hand copies what is under the brush.");
+	add(MENU_PASTE, "Paste Grass", "Paints the field as the one that was copied. Ctrl+V with a tool in hand pastes under the brush.");
+	add(MENU_COPY_SPECIES, "Copy Species", "The field's species, for another field.");
+	add(MENU_PASTE_SPECIES, "Paste Species", "The field grows the copied species beside its own.");
 	add(MENU_UNIQUE, "Make Unique",
 			"Gives the field copies of its own of the map, and of the rule, species and patches that are not files.");
 	popup->add_separator();

@@ -62,4 +62,8 @@ Ref<Resource> own_copy(const Ref<Resource> &p_resource) {
 	return copy;
 }
 
+Ref<Resource> own_if_inside(const Ref<Resource> &p_resource) {
+	return p_resource.is_null() || has_own_file(**p_resource) ? p_resource : own_copy(p_resource);
+}
+
 } // namespace grass

@@ -34,4 +34,7 @@ std::vector<const GrassField *> find_sharing(const GrassField &p_field);
 // Returns a copy that is a part of the edited scene; null of null.
 godot::Ref<godot::Resource> own_copy(const godot::Ref<godot::Resource> &p_resource);
 
+// Returns a copy of a resource that is a part of some scene. Files, such as presets, stay shared.
+godot::Ref<godot::Resource> own_if_inside(const godot::Ref<godot::Resource> &p_resource);
+
 } // namespace grass

@@ -78,6 +78,9 @@ void GrassEditorPlugin::_bake_pressed() {
 }
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
+	if (clipboard_pressed(p_item)) {
+		return;
+	}
 	if (p_item == BrushToolbar::MENU_EXPORT || p_item == BrushToolbar::MENU_IMPORT) {
 		_pictures.ask(p_item == BrushToolbar::MENU_IMPORT);
 		return;

@@ -109,6 +109,9 @@ int32_t GrassEditorPlugin::key_input(Camera3D *p_camera, const Ref<InputEventKey
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
+	if (clipboard_key(p_camera, **p_key)) {
+		return AFTER_GUI_INPUT_STOP;
+	}
 	// Where a bracket needs AltGr, the keys at the brackets' US positions work as well.
 	const auto is_key = [&](Key p_code) { return p_key->get_keycode() == p_code || p_key->get_physical_keycode() == p_code; };
 	const int notches = int(is_key(KEY_BRACKETRIGHT)) - int(is_key(KEY_BRACKETLEFT));

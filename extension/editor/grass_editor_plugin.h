@@ -7,6 +7,7 @@
 #include "editor/brush_preview.h"
 #include "editor/brush_toolbar.h"
 #include "editor/export_masks.h"
+#include "editor/grass_clipboard.h"
 #include "editor/grass_export_plugin.h"
 #include "editor/ground_watch.h"
 #include "editor/new_nodes.h"
@@ -78,6 +79,9 @@ private:
 	void update_toolbar();
 	void _node_added(godot::Object *p_node);
 	void _node_is_placed(int64_t p_id) { _new_nodes.furnish(uint64_t(p_id)); }
+	bool clipboard_pressed(int64_t p_item);
+	bool clipboard_key(godot::Camera3D *p_camera, const godot::InputEventKey &p_key);
+	void paste(const Eigen::Vector2d &p_middle);
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
@@ -105,6 +109,7 @@ private:
 	godot::Vector2 _mouse; // last known place
 	AnswerView _answer;
 	PictureDialog _pictures;
+	GrassClipboard _clipboard;
 	double _event_us = 0.0;
 };
 

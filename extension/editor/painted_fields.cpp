@@ -87,20 +87,23 @@ std::optional<PaintedFields> painted_plots(GrassWorld *p_world) {
 }
 
 std::optional<int64_t> find_species(const GrassField &p_chosen, int64_t p_species, const GrassField &p_field) {
-	const TypedArray<GrassSpecies> ours = find_grown_species(p_chosen), theirs = find_grown_species(p_field);
-	if (p_species == 0 || &p_chosen == &p_field) {
+	return &p_chosen == &p_field ? p_species : find_species(find_grown_species(p_chosen), p_species, find_grown_species(p_field));
+}
+
+std::optional<int64_t> find_species(const TypedArray<GrassSpecies> &p_ours, int64_t p_species, const TypedArray<GrassSpecies> &p_theirs) {
+	if (p_species == 0) {
 		return p_species;
 	}
-	const Ref<GrassSpecies> wanted = p_species <= ours.size() ? Ref<GrassSpecies>(ours[p_species - 1]) : Ref<GrassSpecies>();
+	const Ref<GrassSpecies> wanted = p_species <= p_ours.size() ? Ref<GrassSpecies>(p_ours[p_species - 1]) : Ref<GrassSpecies>();
 	if (wanted.is_null()) {
 		return {};
 	}
-	if (const int64_t place = theirs.find(wanted); place >= 0) {
+	if (const int64_t place = p_theirs.find(wanted); place >= 0) {
 		return place + 1;
 	}
 	const String name = name_of_species(wanted);
-	for (int64_t i = 0; i < theirs.size() && !name.is_empty(); i++) {
-		if (name_of_species(theirs[i]) == name) {
+	for (int64_t i = 0; i < p_theirs.size() && !name.is_empty(); i++) {
+		if (name_of_species(p_theirs[i]) == name) {
 			return i + 1;
 		}
 	}

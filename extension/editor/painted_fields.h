@@ -44,5 +44,7 @@ std::optional<PaintedFields> painted_plots(GrassWorld *p_world);
 // Returns the number that p_field has for a species of p_chosen: the same resource, or one with the same name. Returns nothing if it does
 // not grow there. 0, the mix of species, is 0 everywhere.
 std::optional<int64_t> find_species(const GrassField &p_chosen, int64_t p_species, const GrassField &p_field);
+std::optional<int64_t> find_species(
+		const godot::TypedArray<GrassSpecies> &p_ours, int64_t p_species, const godot::TypedArray<GrassSpecies> &p_theirs);
 
 } // namespace grass

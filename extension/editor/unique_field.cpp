@@ -31,11 +31,6 @@ private:
 	GrassField *_field;
 };
 
-// Files, such as presets, stay shared.
-Ref<Resource> own_if_inside(const Ref<Resource> &p_resource) {
-	return p_resource.is_null() || has_own_file(**p_resource) ? p_resource : own_copy(p_resource);
-}
-
 String names_of(const std::vector<const GrassField *> &p_fields) {
 	PackedStringArray names;
 	for (const GrassField *field : p_fields) {
