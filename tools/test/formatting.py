@@ -2,7 +2,7 @@
 """`./grass format` formats every source, and the layer `format` fails on those that it would change.
 
 C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat; comments and
-pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So are waits in C++ (waits.py).
+pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So is what C++ must not do on Windows (windows_rules.py).
 """
 
 import os
@@ -17,7 +17,7 @@ from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
-from tools.test import encodings, waits
+from tools.test import encodings, windows_rules
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
@@ -127,7 +127,7 @@ def layer(only, tally):
 	"""The layer `format`: a test for each kind of source, and for what no source may do. Returns `tally`."""
 	ensure()
 	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS if kind != "pages"}
-	for name, wrong in {**checks, "lint": lint, "encodings": encodings.check, "waits": waits.forbidden}.items():
+	for name, wrong in {**checks, "lint": lint, "encodings": encodings.check, "windows": windows_rules.forbidden}.items():
 		if only in f"format/{name}":
 			found = wrong()
 			for text in found:

@@ -112,10 +112,10 @@ void grow_between(TileCollider &r_collider, float p_from, float p_to) {
 
 } // namespace
 
-std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to) {
-	thread_local std::vector<TileCollider> between;
-	between.assign(p_colliders.begin(), p_colliders.end());
-	for (TileCollider &collider : between) {
+void find_colliders_between(
+		std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between) {
+	r_between.assign(p_colliders.begin(), p_colliders.end());
+	for (TileCollider &collider : r_between) {
 		const Vec3<float> way = collider.centre - collider.centre_before;
 		const Vec3<float> before = collider.centre_before;
 		const Turn<float> turn_before = collider.turn_before, turn = collider.turn;
@@ -132,7 +132,6 @@ std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_
 		const float bound = collider.bound * BOX_MARGIN;
 		collider.box = collider.spin > 0.0f ? Vec3<float>{ bound, bound, bound } : collider.box;
 	}
-	return between;
 }
 
 } // namespace grass

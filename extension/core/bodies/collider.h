@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <span>
+#include <vector>
 
 namespace grass {
 
@@ -61,9 +62,9 @@ bool is_sharp(const GrassCollider &p_collider, float p_segment);
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
 
-// Returns the colliders as they move from share p_from to share p_to of the step. The result is valid until the same thread calls this
-// again.
-std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to);
+// Sets r_between to the colliders as they move from share p_from to share p_to of the step.
+void find_colliders_between(
+		std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between);
 
 #include "core/base/lane_words.h"
 

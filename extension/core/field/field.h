@@ -91,9 +91,9 @@ public:
 	Eigen::Vector3d get_root(const FieldBlades::Pose &p_pose, int p_tile_x, int p_tile_z) const {
 		return root_of(p_pose.root, p_tile_x, p_tile_z) + Eigen::Vector3d(0.0, p_pose.ground, 0.0);
 	}
-	// Returns the blades that grow up to p_radius metres from a place, in ascending order.
 	// Returns the tiles in which blades within p_radius of a place may grow.
 	TileRange tiles_around(const Eigen::Vector2d &p_place, double p_radius) const;
+	// Returns the blades that grow up to p_radius metres from a place, in ascending order.
 	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
 private:

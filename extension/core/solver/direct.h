@@ -160,6 +160,7 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 	using Mask = MaskOf<T>;
 	StepTerms<T> terms = p_terms;
 	terms.iterations = 1;
+	std::vector<TileCollider> between; // the terms' colliders in a part
 	const T most_move = p_terms.max_move * p_terms.step_ratio * r_blade.blade_length;
 	Start<T> part;
 	Stage<T> stage;
@@ -178,7 +179,8 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 		stage.over_inertia = select(p_finer > T(1.0f), T(over_inertia_in_part(terms.finer)), T(over_inertia_in_part(1.0f)));
 		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
 		for (int i = 0; i < parts; i++) {
-			terms.colliders = colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share);
+			find_colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share, between);
+			terms.colliders = between;
 			begin_part(r_blade, p_start, terms.load, most_move * T(share), T(share), i == 0, part, stage);
 			const Mask none = takes_part & !takes_part;
 			Hold<Mask> no_hold{ none, none, none, none };
