@@ -172,7 +172,7 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot, const R
 			reason = merge_maps(p_from->map, p_snapshot->map, _map).reason;
 		}
 	});
-	ERR_FAIL_COND_MSG(!reason.empty(), vformat("%s: the restored map %s.", label(), String(reason.c_str())));
+	ERR_FAIL_COND_MSG(!reason.empty(), vformat("%s: the restored map %s.", label(), text_of(reason)));
 	if (is_written) {
 		tell_of_replacing(before);
 	}
