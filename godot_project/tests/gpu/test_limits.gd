@@ -16,7 +16,7 @@ func test_a_pool_keeps_to_the_device_s_limit() -> void:
 	assert_eq(field.get_counters().pool_tiles, HELD)
 	assert_eq(field.get_statistics().backend, "GPU")
 	field.pool_tiles = HELD + 1
-	await made(field, 2)
+	await drawn()
 	assert_eq(field.get_counters().pool_tiles, HELD)
 	field.backend = GrassField.BACKEND_CPU
 	await drawn()
