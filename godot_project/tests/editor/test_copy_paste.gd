@@ -127,10 +127,10 @@ func test_another_scene_gets_copies_of_species_that_are_no_files() -> void:
 	assert_true(painted == null)
 	menu_of(Menu.PASTE_SPECIES)
 	await frames(2)
-	if assert_eq(field.species.size(), 2):
-		assert_true(field.species[0] != own)
-		assert_near(field.species[0].share, 0.25, 1e-6)
-		assert_eq(field.species[1], load(WHEAT))
+	if assert_eq(field.species.size(), 3, "beside the default grass"):
+		assert_true(field.species[1] != own)
+		assert_near(field.species[1].share, 0.25, 1e-6)
+		assert_eq(field.species[2], load(WHEAT))
 	menu_of(Menu.PASTE)
 	await frames(2)
 	assert_near(of(field.map, GrassMap.CHANNEL_CUT, Vector2.ZERO), 2.55, 0.01, "grass that is nowhere cut, over the cut of the base")

@@ -239,6 +239,6 @@ func test_presets_have_pictures() -> void:
 		for y in range(0, 128, 4):
 			for x in range(0, 128, 4):
 				seen += int(image.get_pixel(x, y).a > 0.5)
-		assert_greater(seen, 100, paths[i])
+		assert_greater(seen, 30, paths[i])  # of 1,024: one thin plant has the fewest
 		sheet.blit_rect(image, Rect2i(0, 0, 128, 128), 128 * Vector2i(i % 4, i / 4))
 	sheet.save_png(ProjectSettings.globalize_path("res://").path_join("../presets.png"))

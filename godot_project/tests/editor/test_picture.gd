@@ -91,7 +91,7 @@ func test_toolbar_ring_and_strokes() -> void:
 	await key(KEY_V)  # the mode without arrows at the node
 	await take("Erase")
 	for number: Array in [["Radius", 0.5], ["Strength", 0.6], ["Hardness", 0.6]]:
-		(toolbar.get_node(number[0]) as Range).value = number[1]
+		(toolbar.find_child(number[0], true, false) as Range).value = number[1]
 	await stroke([on(1.4, 0.4), on(0.9, -0.8), on(1.2, -2), on(2, -3.5), on(2.2, -5), on(1.4, -6.5)])
 	await take("Tint")
 	(toolbar.get_node("Radius") as Range).value = 0.9
@@ -112,7 +112,7 @@ func test_the_grass_before_the_stroke() -> void:
 	await key(KEY_V)
 	await take("Cut")
 	for number: Array in [["Radius", 1.4], ["Strength", 1.0], ["Hardness", 0.4], ["CutHeight", 0.05]]:
-		(toolbar.get_node(number[0]) as Range).value = number[1]
+		(toolbar.find_child(number[0], true, false) as Range).value = number[1]
 	field.density = density_of_picture(144.0)
 	await worked()
 	var painted := field.map.data
