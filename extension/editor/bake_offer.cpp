@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using namespace godot;
 
@@ -31,7 +32,8 @@ String find_bake_offer(const GrassField &p_field) {
 	rays.keep_within(p_field.get_ground_band());
 	double low = 0.0, high = 0.0;
 	for (int i = 0; i < RAYS_A_SIDE * RAYS_A_SIDE; i++) {
-		const Eigen::Vector2d share((i % RAYS_A_SIDE + 0.5) / RAYS_A_SIDE - 0.5, (i / RAYS_A_SIDE + 0.5) / RAYS_A_SIDE - 0.5);
+		const Eigen::Vector2d ray(i % RAYS_A_SIDE, std::div(i, RAYS_A_SIDE).quot);
+		const Eigen::Vector2d share = (ray.array() + 0.5) / RAYS_A_SIDE - 0.5;
 		const double height = rays.height_at(share.cwiseProduct(to_eigen(p_field.get_size())));
 		low = std::fmin(low, height); // NaN, where there is no ground, changes nothing
 		high = std::fmax(high, height);

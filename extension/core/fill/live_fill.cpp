@@ -91,7 +91,7 @@ FillResult LiveFill::work(PaintMap &r_map, int p_count, const ParallelFor &p_par
 		_waiting.erase(key);
 		_filled_on[key] = ground_of(r_map, key);
 	}
-	const FillResult result = fill(r_map, keys, _area, &_rule, _sources, p_parallel_for, FillRim::FILLED);
+	FillResult result = fill(r_map, keys, _area, &_rule, _sources, p_parallel_for, FillRim::FILLED);
 	std::erase_if(_sources.gone, [this](const auto &p_obstacle) { return !is_waiting(*p_obstacle); });
 	return result;
 }

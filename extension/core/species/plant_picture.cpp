@@ -68,7 +68,7 @@ private:
 	}
 
 	void draw_face(const PictureSurface &p_surface, const std::array<size_t, 3> &p_corners) {
-		const auto [a, b, c] = p_corners;
+		const size_t a = p_corners[0], b = p_corners[1], c = p_corners[2];
 		const Eigen::Vector3f &from = p_surface.places[a];
 		const Eigen::Vector3f normal = (p_surface.places[b] - from).cross(p_surface.places[c] - from).normalized();
 		const float light = SHADE + (1.0f - SHADE) * std::abs((_view * normal).dot(SUN)); // leaves are lit from both sides
