@@ -35,7 +35,8 @@ String end_of(Stopwatch::Pass p_pass, const void *p_owner) {
 
 } // namespace
 
-Stopwatch::Stopwatch(bool p_measure, Pass p_pass, const void *p_owner) : _measures(p_measure && take_two_stamps()), _pass(p_pass), _owner(p_owner) {
+Stopwatch::Stopwatch(bool p_measure, Pass p_pass, const void *p_owner) :
+		_measures(p_measure && take_two_stamps()), _pass(p_pass), _owner(p_owner) {
 	if (_measures) {
 		main_device()->capture_timestamp(BEGIN);
 	}

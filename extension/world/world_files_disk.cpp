@@ -126,8 +126,8 @@ void WorldFiles::write_file(const PlotsPlace &p_place, const PlotKey &p_key, con
 		std::lock_guard lock(_mutex);
 		is_refused = _refused.erase(name_of(path)) > 0;
 	}
-	const bool is_aside = !is_refused || DirAccess::rename_absolute(path, unread_path(path)) == OK; // else it is in use, or may not be moved
-	if (!is_aside) {
+	const bool is_aside = !is_refused || DirAccess::rename_absolute(path, unread_path(path)) == OK;
+	if (!is_aside) { // the file is in use, or may not be moved
 		std::lock_guard lock(_mutex);
 		_refused.insert(name_of(path));
 	}

@@ -2,7 +2,8 @@
 """`./grass format` formats every source, and the layer `format` fails on those that it would change.
 
 C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat; comments and
-pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So is what C++ must not do on Windows (windows_rules.py).
+pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So are texts
+beyond ASCII (encodings.py), and what GCC does wrong on Windows (windows_rules.py).
 """
 
 import os

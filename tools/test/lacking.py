@@ -25,7 +25,7 @@ LIMIT = 400  # seconds
 
 
 def layer(only, where):
-	"""Returns the Tally: all of it hidden at once, and if `only` names this test, each in turn. `where`: how engine.window() opens a window."""
+	"""Returns the Tally: all of it hidden at once, and if `only` names this test, each in turn. `where`: for engine.window()."""
 	tally = Tally()
 	for hidden in (OPTIONAL, *((name,) for name in OPTIONAL if only)):
 		name = f"gpu/lacking.{'everything_that_is_optional' if len(hidden) > 1 else hidden[0]}"

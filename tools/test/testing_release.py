@@ -231,7 +231,7 @@ def export_runs(kind, preset="Linux"):
 
 
 def server_is_packed(_sources):
-	"""Packs for a dedicated server as a fresh checkout does, without what an export before has kept: resources of the scenes are changed."""
+	"""Packs for a dedicated server as a fresh checkout does: without what an export before has kept, scenes' resources are changed."""
 	project, pack = WORK / "project_", WORK / "server.pck"
 	shutil.rmtree(project / ".godot/exported", ignore_errors=True)
 	pack.unlink(missing_ok=True)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Finds what GCC 12 does wrong on Windows in the sources of the library. Part of the layer `format`.
 
-Waits of a std::atomic, and what libstdc++ builds on them: there is no futex, and notifications are missed. What ships waits with a mutex and
-a std::condition_variable, as core/base/shared_loop.h does. And objects with a destructor that are thread_local: it runs when the thread's
-memory is gone.
+Waits of a std::atomic, and what libstdc++ builds on them: there is no futex, and notifications are missed. What ships waits with a
+mutex and a std::condition_variable, as core/base/shared_loop.h does. And objects with a destructor that are thread_local: it runs when
+the thread's memory is gone.
 """
 
 import re
@@ -28,7 +28,10 @@ def found_in(text, declared):
 	"""What is forbidden in a source's text, as (line, words, what to do). `declared`: the text in which it declares what it waits for."""
 	found = []
 	for number, line in enumerate(COMMENT.sub("", text).split("\n"), 1):
-		waits = [*BUILT_ON_ATOMICS.finditer(line), *(call for call in CALL.finditer(line) if not re.search(rf"{WAITING}{call[1]}\b", declared))]
+		waits = [
+			*BUILT_ON_ATOMICS.finditer(line),
+			*(call for call in CALL.finditer(line) if not re.search(rf"{WAITING}{call[1]}\b", declared)),
+		]
 		found += [(number, wait[0], "wait with a mutex and a std::condition_variable") for wait in waits]
 		found += [(number, own[0], "let the caller own it") for own in OF_THREAD.finditer(line)]
 	return found

@@ -112,8 +112,7 @@ void grow_between(TileCollider &r_collider, float p_from, float p_to) {
 
 } // namespace
 
-void find_colliders_between(
-		std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between) {
+void find_colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between) {
 	r_between.assign(p_colliders.begin(), p_colliders.end());
 	for (TileCollider &collider : r_between) {
 		const Vec3<float> way = collider.centre - collider.centre_before;

@@ -63,8 +63,7 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
 
 // Sets r_between to the colliders as they move from share p_from to share p_to of the step.
-void find_colliders_between(
-		std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between);
+void find_colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between);
 
 #include "core/base/lane_words.h"
 
