@@ -114,6 +114,7 @@ void format(GDExtensionVariantOperator p_operator, GDExtensionConstVariantPtr p_
 // Methods of builtin types, as far as the library calls any before there is a scene.
 GDExtensionPtrBuiltInMethod find_builtin(GDExtensionVariantType p_type, GDExtensionConstStringNamePtr p_name, GDExtensionInt) {
 	static const std::map<std::string, GDExtensionPtrBuiltInMethod> methods{
+		{ "String.is_empty", &is_empty<Text> },
 		{ "String.split", &split },
 		{ "Array.resize", &resize_array },
 		{ "Array.size", &count<Elements> },
