@@ -17,6 +17,8 @@ PROGRAM_LIMIT = 3600
 ENGINE_LIMIT = 14400
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
+# The editor, which lists them with --verbose, may end with scripts of the project that it has read for itself.
+LEAK_OF_EDITOR = re.compile(r"^Leaked instance: (?!GDScript)|^Resource still in use: (?!.*\(GDScript\))|were leaked")
 UNSUPPORTED = re.compile(r"is not supported yet")  # the engine about a shader of ours
 WORTH_SAYING = 5.0  # seconds that a test takes, or that a processor is busy for it
 CASES_A_PART = 8  # test cases that a slow program runs at a time
@@ -112,12 +114,13 @@ def cases_of(command, environment):
 class Reports:
 	"""Follows the reports of the runner in the engine."""
 
-	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
-		"""`forbidden`: output that the engine must not print, as (pattern, what it is); `said`: gets all of its output."""
+	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None, leak=LEAK):
+		"""`forbidden`: output that the engine must not print, as (pattern, what it is); `said`: gets all of its output; `leak`: what tells
+		of a leak."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running = [], None
 		self.process, self.began, self.busy = None, time.monotonic(), 0.0
-		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
+		self.forbidden = [(leak, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
 		self.heard = {}  # lines, by what they are
 		self.said = [] if said is None else said
 
@@ -170,11 +173,11 @@ class Reports:
 
 def in_engine(
 	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"),
-	project=PROJECT, forbidden=(), more=(), said=None,
+	project=PROJECT, forbidden=(), more=(), said=None, leak=LEAK,
 ):  # fmt: skip
 	"""`only`: which tests (parts of names, between commas); `may_be_none`: whether none of them may be there (where the user chose).
-	`forbidden`, `said`: see Reports; `more`: arguments for the runner."""
-	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden, said)
+	`forbidden`, `said`, `leak`: see Reports; `more`: arguments for the runner."""
+	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden, said, leak)
 	arguments = ["--path", str(project), *start, "--", f"--layer={layer}", *more]
 	if only:
 		arguments.append(f"--only={only}")

@@ -31,7 +31,7 @@ from tools.test import (
 	tidy,
 	validation,
 )
-from tools.test.test_runs import Tally, core, in_engine
+from tools.test.test_runs import LEAK_OF_EDITOR, Tally, core, in_engine
 
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # these draw PICTURES, too; everything else of the gpu layer runs in Forward+
 PICTURES = "test_picture"
@@ -107,7 +107,7 @@ def editor(only):
 	"""Runs tests that look at the picture in a window, and all others without one, which takes a tenth of the time. An editor that has no
 	test to run would not end well: it is not started."""
 	tests = {name: drawn for name, drawn in drawn_in_editor().items() if any(part in name for part in only.split(","))}
-	start = {"start": ("--editor",), "project": EDITED}
+	start = {"start": ("--editor", "--verbose"), "project": EDITED, "leak": LEAK_OF_EDITOR}
 	tally = Tally()
 	if tests:
 		copy_project(light=not only)
