@@ -18,6 +18,18 @@ const FEW_APART := 0.02  # share of the blades
 const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 
+## How far the knots of a tile are from `rest` on average, mm: on the CPU and on the GPU.
+func mean_bends(tile: Vector2i, rest: PackedVector3Array) -> Array[float]:
+	var bends: Array[float] = []
+	for field: GrassField in [cpu, gpu]:
+		var knots := tile_knots(field, tile)
+		var sum := 0.0
+		for i in knots.size():
+			sum += knots[i].distance_to(rest[i])
+		bends.append(1e3 * sum / knots.size())
+	return bends
+
+
 func every_tile(field: GrassField) -> Array[Vector2i]:
 	var tiles: Array[Vector2i] = []
 	for x in field.get_grid_size().x:
@@ -153,13 +165,7 @@ func test_bent_alike_under_a_moving_body() -> void:
 		for i in 40:
 			body.position.x += 0.03
 			await ticks(1)
-		var bends: Array[float] = []
-		for field: GrassField in [cpu, gpu]:
-			var knots := tile_knots(field, tile)
-			var sum := 0.0
-			for i in knots.size():
-				sum += knots[i].distance_to(rest[i])
-			bends.append(1e3 * sum / knots.size())
+		var bends := mean_bends(tile, rest)
 		print("    mean bend under a moving ball, %d Hz: CPU %.3f mm, GPU %.3f mm" % [rate, bends[0], bends[1]])
 		assert_greater(bends[0], 10.0)
 		assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
@@ -243,13 +249,7 @@ func test_bent_alike_beside_a_body_that_grows() -> void:
 	for i in 30:
 		shape.radius *= 1.03
 		await ticks(1)
-	var bends: Array[float] = []
-	for field: GrassField in [cpu, gpu]:
-		var knots := tile_knots(field, tile)
-		var sum := 0.0
-		for i in knots.size():
-			sum += knots[i].distance_to(rest[i])
-		bends.append(1e3 * sum / knots.size())
+	var bends := mean_bends(tile, rest)
 	print("    mean bend beside a ball that grows: CPU %.3f mm, GPU %.3f mm" % bends)
 	assert_greater(bends[0], 10.0)
 	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
