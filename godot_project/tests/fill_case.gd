@@ -50,3 +50,18 @@ func _erase(map: GrassMap, place: Vector2, radius: float) -> void:
 	brush.hardness = 1.0
 	brush.radius = radius
 	map.stroke(brush, place, place)
+
+
+## A path from west to east through `place`, as far to both sides as `half`, metres.
+func _add_path(place: Vector3, properties := {}, half := 10.0) -> GrassPath3D:
+	var path := GrassPath3D.new()
+	path.curve = Curve3D.new()
+	path.curve.add_point(Vector3(-half, 0, 0))
+	path.curve.add_point(Vector3(half, 0, 0))
+	path.position = place
+	path.width = 4.0
+	path.fade = 0.0
+	for property: String in properties:
+		path.set(property, properties[property])
+	add_child(path)
+	return path

@@ -3,20 +3,6 @@
 extends "res://tests/fill_case.gd"
 
 
-func _add_path(place: Vector3, properties := {}) -> GrassPath3D:
-	var path := GrassPath3D.new()
-	path.curve = Curve3D.new()
-	path.curve.add_point(Vector3(-10, 0, 0))
-	path.curve.add_point(Vector3(10, 0, 0))
-	path.position = place
-	path.width = 4.0
-	path.fade = 0.0
-	for property: String in properties:
-		path.set(property, properties[property])
-	add_child(path)
-	return path
-
-
 func test_a_house_and_a_path_clear_a_field_without_rule_and_map() -> void:
 	var house := _add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	var path := _add_path(Vector3(-30, 5, 0))

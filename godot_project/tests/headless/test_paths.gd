@@ -5,17 +5,7 @@ extends "res://tests/fill_case.gd"
 
 ## From west to east through (`x`, `z`), 40 m long.
 func add_path(x: float, z: float, properties := {}) -> GrassPath3D:
-	var path := GrassPath3D.new()
-	path.curve = Curve3D.new()
-	path.curve.add_point(Vector3(-20, 0, 0))
-	path.curve.add_point(Vector3(20, 0, 0))
-	path.position = Vector3(x, 3, z)
-	path.width = 4.0
-	path.fade = 0.0
-	for property: String in properties:
-		path.set(property, properties[property])
-	add_child(path)
-	return path
+	return _add_path(Vector3(x, 3, z), properties, 20.0)
 
 
 func test_a_path_is_cleared_and_followed_where_it_is_moved_and_bent() -> void:
