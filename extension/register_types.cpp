@@ -11,6 +11,7 @@
 #include "editor/limit_slider.h"
 #include "editor/own_map_dialog.h"
 #include "editor/species_preview.h"
+#include "field/project_pool.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_field.h"
@@ -58,6 +59,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassField);
 		GDREGISTER_CLASS(grass::GrassWorld);
 		grass::register_size_limits();
+		grass::register_project_pool();
 		grass::register_quality();
 		grass::register_map_files();
 	}

@@ -17,15 +17,8 @@ using namespace godot;
 namespace grass {
 
 namespace {
-constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
-// Ticks between checks of the pool's memory, how many checks in a row must find it too large, and by which factor: three seconds. Room for
-// twice the awake tiles is kept. Less: memory comes and goes with every body that passes.
-constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the number of tiles in view
 
-int rows_for(int p_highest_slot) {
-	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
-}
 // Uploads the instances to the MultiMesh, and makes it larger if needed.
 void show_instances(FieldInstance &r_instance, std::span<const float> p_instances) {
 	const int count = int(p_instances.size()) / GRASS_INSTANCE_FLOATS;
@@ -39,11 +32,9 @@ void show_instances(FieldInstance &r_instance, std::span<const float> p_instance
 }
 } // namespace
 
-CpuBackend::CpuBackend(const FieldSetup &p_setup) :
-		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_size), _patch_texture(patch_texture(p_setup.patch)) {
+CpuBackend::CpuBackend(const FieldSetup &p_setup) : _setup(p_setup), _pool(p_setup.patch), _patch_texture(patch_texture(p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_texels.reset(p_setup.pool_size);
 	update_pool_texture();
 }
 
@@ -57,11 +48,8 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 		set_uniform("patch_knots", _patch_texture);
 		_materials.set("blade_length", p_setup.blade_length());
 	}
-	if (p_setup.pool_size != _setup.pool_size) {
-		_pool.set_pool_size(p_setup.pool_size);
-		_texels.reset(p_setup.pool_size);
-		_highest_slot = std::min(_highest_slot, p_setup.pool_size - 1);
-	}
+	_pool.resize(0, {});
+	_texels.reset();
 	_setup = p_setup;
 	_slot_of_tile.clear();
 	_cover.reset(); // it belongs to the old grid; set_cover() follows
@@ -84,7 +72,6 @@ void CpuBackend::step(const StepInput &p_input) {
 			_slot_of_tile.erase(slot.tile.z);
 		} else {
 			_slot_of_tile[slot.tile.z] = slot.tile.w;
-			_highest_slot = std::max(_highest_slot, slot.tile.w);
 		}
 	}
 	_step_number = p_input.number;
@@ -115,27 +102,7 @@ void CpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 			_slot_of_tile[move.tile] = move.to;
 		}
 	}
-	_highest_slot = std::min(_highest_slot, p_slots - 1);
 	_tiles_changed = true;
-	_setup.pool_size = p_slots;
-}
-
-void CpuBackend::tidy() {
-	if (_ticks_to_look-- > 0) {
-		return;
-	}
-	_ticks_to_look = LOOK_EVERY - 1;
-	int highest = -1;
-	for (const auto &[tile, slot] : _slot_of_tile) {
-		highest = std::max(highest, slot);
-	}
-	const int needed = rows_for(highest);
-	_low_looks = needed * MUCH <= rows_for(_highest_slot) ? _low_looks + 1 : 0;
-	if (_low_looks >= LOW_LOOKS) {
-		_low_looks = 0;
-		_highest_slot = 2 * needed - 1;
-		_pool.trim(_highest_slot + 1); // the texture follows in the next frame
-	}
 }
 
 void CpuBackend::draw(const FieldView &p_view) {
@@ -209,7 +176,7 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 }
 
 void CpuBackend::update_pool_texture() {
-	const int rows = rows_for(_highest_slot);
+	const int rows = std::max(_pool.get_size(), 1); // a texture cannot be empty
 	const bool is_resized = rows != _pool_rows;
 	if (!_texels.show(_pool, rows, _share) && !is_resized) {
 		return;
@@ -281,7 +248,7 @@ BackendMemory CpuBackend::get_memory() const {
 	memory.shared = int64_t(_setup.patch->texels.size()) * 4; // in main memory and as a texture
 	const int64_t pool = _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
 			int64_t(_pool_rows) * ROW_BYTES; // visible rows are in a texture too
-	memory.pool = std::min(pool, memory.pool_tile * _setup.pool_size); // the first rows are there however small it is
+	memory.pool = _pool.get_size() > 0 ? pool : 0; // not the row of an empty texture
 	memory.all = memory.shared + pool + mesh_bytes(_setup.card_size > 0.0f) + _plants.get_memory_usage() +
 			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
 					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));

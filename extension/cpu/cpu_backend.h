@@ -31,7 +31,6 @@ public:
 	StepTime read_step_time() override { return { uint64_t(_statistics.timed_steps), _statistics.simulate_ms }; }
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;
-	void tidy() override;
 	void draw(const FieldView &p_view) override;
 	void show_between(bool p_is_between, float p_share) override {
 		_texels.set_between(p_is_between);
@@ -71,8 +70,6 @@ private:
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // outlive the materials that read them
 	BladeMaterials _materials;
 	int _pool_rows = 0; // of the pool texture
-	int _highest_slot = -1; // with memory; rises with the slots in use, and falls when all have been far below for a while
-	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); successive checks that found far too much memory
 	PoolTexels _texels; // of the pool texture; uploaded before the next frame, which may never come (headless)
 	float _share = 1.0f; // of the last step, in this frame
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;

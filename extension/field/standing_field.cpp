@@ -22,6 +22,7 @@ constexpr int CHUNKS_AT_ONCE = 4;
 
 void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_is_crowded = false;
+	update_project_pool();
 	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_layers() : nullptr, patches_of(p_wanted.species),
 			_properties.field_params(p_wanted.species));
 	_species = std::move(p_wanted.species);
@@ -96,6 +97,7 @@ void StandingField::update_quality() {
 	if (_part > Part::SPECIES) { // else it will be
 		set_species_uniforms();
 	}
+	update_project_pool();
 	fit_pool();
 	request_draw();
 }
@@ -278,6 +280,8 @@ void StandingField::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.backend_work = _backend->get_statistics();
 		r_statistics.drawn = count_drawn();
 		r_statistics.pool_tiles = _field.get_setup().pool_size;
+		r_statistics.pool_slots = _field.get_tiles().get_room();
+		r_statistics.pool_bytes = _backend->get_memory().pool;
 		r_statistics.awake_tiles = _field.get_tiles().get_statistics().awake;
 		r_statistics.is_waiting = r_statistics.is_waiting || is_look_waiting();
 	}

@@ -10,6 +10,7 @@
 #include "draw/patch_texture.h"
 #include "field/field_properties.h"
 #include "field/field_uniforms.h"
+#include "field/project_pool.h"
 #include "field/shown_map.h"
 #include "field/wanted_field.h"
 
@@ -28,7 +29,7 @@ struct FieldMemory : BackendMemory {
 class StandingField {
 public:
 	// p_properties: the node's. They may differ from this field until it is made again.
-	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
+	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties), _field(project_pool()) {}
 
 	// Lets worker threads prepare the passes of a first field, while the main thread makes the rest.
 	void begin_passes() const;

@@ -48,6 +48,8 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["terrain_calls"] = p_statistics.terrain_calls;
 	result["terrain_waiting"] = p_statistics.terrain_waiting;
 	result["pool_tiles"] = p_statistics.pool_tiles;
+	result["pool_slots"] = p_statistics.pool_slots;
+	result["pool_bytes"] = p_statistics.pool_bytes;
 	result["settling_tiles"] = tiles.settling;
 	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);

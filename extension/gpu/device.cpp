@@ -50,7 +50,9 @@ void GpuBuffer::resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, st
 	for (const SlotMove &move : p_moves) {
 		copy(move.from, move.to, move.to == GRASS_NO_SLOT ? 0 : 1);
 	}
-	device->free_rid(old);
+	if (old.is_valid()) {
+		device->free_rid(old);
+	}
 }
 
 void GpuBuffer::clear() {

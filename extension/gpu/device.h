@@ -31,7 +31,8 @@ public:
 	void allocate(int64_t p_bytes);
 	// Allocates p_bytes if the buffer has another size.
 	void resize(int64_t p_bytes);
-	// Makes a buffer of p_parts parts of p_part bytes. Keeps the first p_kept parts, and moves others from one place to another.
+	// Makes a buffer of p_parts parts of p_part bytes. Keeps the first p_kept parts, and moves others from one place to another; the rest
+	// is zero.
 	void resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, std::span<const SlotMove> p_moves);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the uploaded bytes.

@@ -158,7 +158,6 @@ void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 }
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
-	_setup.pool_size = p_slots;
 	_share = -1.0f; // the next frame mixes again, if frames do
 	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end())](
 				 GpuField &r_field) { r_field.resize_pool(p_slots, moves); });

@@ -31,32 +31,21 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 
 void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	const PassKind kind_before = std::exchange(_kind, kind_of(p_setup));
-	const int64_t size_before = std::exchange(_pool_size, p_setup.pool_size);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
-	_knots.resize(_pool_size * SLOT_BYTES);
-	_halves.resize(_pool_size * 4);
-	_twists.resize(_pool_size * TWIST_FLOATS_PER_SLOT * 4);
-	_energy.resize(_pool_size * int64_t(sizeof(vec4)));
-	_growth.resize(_is_mapped || _kind.species ? _pool_size * int64_t(sizeof(SlotGrowth::blades)) : 0);
 	if (_kind.species) {
-		_blade_species.resize(_pool_size * int64_t(sizeof(SlotGrowth::species)));
 		_species_steps.resize(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
 	} else {
 		_blade_species.free();
 		_species_steps.free();
 	}
 	fit_tables();
-	if (_pool_size != size_before) {
-		make_pool_texture();
-	}
 	if (_kind != kind_before) {
 		make_simulate();
 	}
 	_patch = RenderingServer::get_singleton()->texture_get_rd_texture(p_patch);
-	bind_simulate();
-	std::lock_guard lock(_report->mutex);
-	report_memory();
+	_used_rows = 0;
+	resize_pool(0, {});
 }
 
 // Makes the buffers by tile, with spare room, so that a growing field can usually keep them.
@@ -73,23 +62,6 @@ void GpuField::fit_tables() {
 	}
 }
 
-void GpuField::make_pool_texture() {
-	replace_texture(_pool, replace_pool_texture(), _pool_texture);
-	_used_rows = std::min(_used_rows, int(_pool_size));
-	if (_mix.is_created()) {
-		_mix.create(_pool_texture, _sampler, _pool_size);
-	}
-	make_before_texture();
-}
-
-// Returns the old one, which is still shown.
-RID GpuField::replace_pool_texture() {
-	return std::exchange(_pool_texture,
-			make_rows(_pool_size,
-					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
-							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
-}
-
 // Makes row 0, and one row for each GRASS_PLACES_PER_ROW.
 void GpuField::make_drawn_texture(int64_t p_places) {
 	const int rows = 1 + int((p_places + GRASS_PLACES_PER_ROW - 1) / GRASS_PLACES_PER_ROW);
@@ -102,21 +74,16 @@ void GpuField::make_drawn_texture(int64_t p_places) {
 	}
 }
 
-void GpuField::make_before_texture() {
-	if (_before.is_valid()) {
-		const RID old = std::exchange(_before_texture,
-				make_rows(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
-		replace_texture(_before, old, _before_texture);
-		_has_moved = true;
-	}
-}
-
 void GpuField::set_motion(const Ref<Texture2DRD> &p_before) {
-	if (_before.is_valid() && p_before.is_null()) {
+	if (_before.is_valid()) {
 		replace_texture(_before, std::exchange(_before_texture, RID()), RID());
 	}
 	_before = p_before;
-	make_before_texture();
+	if (_before.is_valid()) {
+		_before_texture = make_before_rows();
+		_before->set_texture_rd_rid(_before_texture);
+		_has_moved = true;
+	}
 	free_unneeded_rows();
 }
 
@@ -125,8 +92,7 @@ void GpuField::set_between(bool p_is_between) {
 		return;
 	}
 	if (p_is_between) {
-		_mix.create(_pool_texture, _sampler, _pool_size);
-		_mix.keep(_pool_texture, _used_rows);
+		_mix.create(_pool_texture, _sampler, _pool_size, _used_rows);
 	} else {
 		_pool->set_texture_rd_rid(_pool_texture); // it has a view of the texture that is freed next
 		_mix.free();
@@ -244,11 +210,6 @@ void GpuField::report_times() {
 	statistics.simulate_ms = times.simulate_ms > 0.0 ? times.simulate_ms : statistics.simulate_ms;
 	statistics.timed_steps += times.simulate_ms > 0.0 ? 1 : 0;
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
-}
-
-int64_t GpuField::find_pool_tile_bytes(bool p_is_between) {
-	return (p_is_between ? 4 : 2) * POOL_ROW_BYTES + SLOT_BYTES + (TWIST_FLOATS_PER_SLOT + 1) * 4 +
-			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
 }
 
 // The caller must hold the report's mutex.

@@ -77,7 +77,7 @@ public:
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
-	// Changes the number of slots. Awake tiles go on where p_moves says.
+	// Changes the number of slots, none at first. Awake tiles go on where p_moves says.
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
@@ -107,9 +107,8 @@ private:
 
 	std::array<GpuBuffer *, 18> buffers();
 	void fit_tables();
-	godot::RID replace_pool_texture();
-	void make_pool_texture();
-	void make_before_texture();
+	void resize_textures(int p_kept, std::span<const SlotMove> p_moves);
+	godot::RID make_before_rows();
 	void keep_pool();
 	void free_unneeded_rows();
 	void rest_before(std::span<const GrassSlot> p_slots);
@@ -132,15 +131,15 @@ private:
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
-	int64_t _tiles = 0, _pool_size = -1; // -1: none yet
+	int64_t _tiles = 0, _pool_size = 0; // slots that exist
 	bool _table_changed = true; // since the last cull
 
 	// Lives for one step: written by the main thread's records in every step, read by simulate.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
 	// Lives for one step or one frame: written by the main thread's records, read by join.
 	GpuBuffer _join_records;
-	// Lives as long as the field, read and written by simulate and join: knots of awake tiles, now and one step earlier in two halves;
-	// which half is which; twists of their joints, and the blades' lengths; energy. All by slot.
+	// Lives as long as the pool has slots, read and written by simulate and join: knots of awake tiles, now and one step earlier in two
+	// halves; which half is which; twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Lives for one dispatch, read and written by simulate: what its threads keep of their blades' joints, unless each has an array for it.
 	std::shared_ptr<GpuBuffer> _work; // shared by all fields

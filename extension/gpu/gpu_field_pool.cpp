@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How GpuField's pool becomes larger or smaller while tiles are awake.
+// GpuField's pool: as many slots as the field's awake tiles need, which become more and fewer while tiles are awake.
 #include "gpu/gpu_field.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -16,31 +17,55 @@ void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	resize(_halves, 4);
 	resize(_twists, TWIST_FLOATS_PER_SLOT * 4);
 	resize(_energy, int64_t(sizeof(vec4)));
-	if (_is_mapped || _kind.species) {
-		resize(_growth, int64_t(sizeof(SlotGrowth::blades)));
-	}
+	resize(_growth, _is_mapped || _kind.species ? int64_t(sizeof(SlotGrowth::blades)) : 0);
 	if (_kind.species) {
 		resize(_blade_species, int64_t(sizeof(SlotGrowth::species)));
 	}
-	const RID old = replace_pool_texture();
-	copy_rows(old, _pool_texture, 0, 0, kept);
 	for (const SlotMove &move : p_moves) {
 		const int32_t entry = move.to == GRASS_NO_SLOT ? 0 : move.to + 1; // as simulate writes it
 		_table.write(int64_t(move.tile) * 4, std::span(&entry, 1));
-		copy_rows(old, _pool_texture, move.from, move.to, move.to == GRASS_NO_SLOT ? 0 : 1);
 	}
 	_table_changed = true;
-	replace_texture(_pool, old, _pool_texture);
+	resize_textures(kept, p_moves);
 	_used_rows = kept;
-	if (_mix.is_created()) {
-		_mix.create(_pool_texture, _sampler, _pool_size);
-		_mix.keep(_pool_texture, _used_rows);
+	if (p_slots == 0) {
+		_work.reset();
 	}
-	make_before_texture();
-	keep_pool();
 	bind_simulate();
 	std::lock_guard lock(_report->mutex);
 	report_memory();
+}
+
+// Each texture is shown before the old one is freed, since what shows it has a view of that.
+void GpuField::resize_textures(int p_kept, std::span<const SlotMove> p_moves) {
+	const TextureUsage usage = RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
+			RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT;
+	const RID old = std::exchange(_pool_texture, make_rows(_pool_size, usage));
+	move_rows(old, _pool_texture, p_kept, p_moves);
+	const auto show = [this] { _pool->set_texture_rd_rid(_mix.is_showing() ? _mix.get_shown() : _pool_texture); };
+	if (_mix.is_created()) {
+		_mix.resize(_pool_texture, _sampler, _pool_size, p_kept, p_moves, show);
+	}
+	show();
+	if (old.is_valid()) {
+		main_device()->free_rid(old);
+	}
+	if (_before_texture.is_valid()) {
+		const RID old_before = std::exchange(_before_texture, make_before_rows());
+		move_rows(old_before, _before_texture, p_kept, p_moves);
+		replace_texture(_before, old_before, _before_texture);
+	}
+}
+
+RID GpuField::make_before_rows() {
+	return make_rows(_pool_size,
+			RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT |
+					RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT);
+}
+
+int64_t GpuField::find_pool_tile_bytes(bool p_is_between) {
+	return (p_is_between ? 4 : 2) * POOL_ROW_BYTES + SLOT_BYTES + (TWIST_FLOATS_PER_SLOT + 1) * 4 +
+			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
 }
 
 } // namespace grass

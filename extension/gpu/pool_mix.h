@@ -5,14 +5,20 @@
 
 #include "gpu/device.h"
 
+#include <functional>
+
 namespace grass {
 
 class PoolMix {
 public:
 	~PoolMix() { free(); }
 
-	// p_pool has p_slots rows. The mix begins as a copy of the pool.
-	void create(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots);
+	// p_pool has p_slots rows. The mix begins as a copy of its first p_rows, those in use.
+	void create(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots, int p_rows);
+	// p_pool has another number of rows now. Rows keep what they show, as for move_rows(). p_show: shows get_shown() in place of the
+	// old texture, before that is freed.
+	void resize(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots, int p_kept, std::span<const SlotMove> p_moves,
+			const std::function<void()> &p_show);
 	void free();
 	bool is_created() const { return _earlier.is_valid(); }
 	// Returns true if get_shown() is drawn. Until the driver has compiled the pass, the pool itself is drawn.
@@ -27,6 +33,9 @@ public:
 	int64_t get_memory_usage() const; // bytes
 
 private:
+	void make_textures(int64_t p_slots);
+	void bind(const godot::RID &p_pool, const godot::RID &p_sampler);
+
 	godot::RID _earlier, _shown;
 	int64_t _slots = 0;
 	bool _is_showing = false;

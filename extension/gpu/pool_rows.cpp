@@ -43,6 +43,13 @@ void copy_rows(const RID &p_from, const RID &p_to, int p_from_row, int p_to_row,
 	}
 }
 
+void move_rows(const RID &p_from, const RID &p_to, int p_kept, std::span<const SlotMove> p_moves) {
+	copy_rows(p_from, p_to, 0, 0, p_kept);
+	for (const SlotMove &move : p_moves) {
+		copy_rows(p_from, p_to, move.from, move.to, move.to == GRASS_NO_SLOT ? 0 : 1);
+	}
+}
+
 void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
 	p_shown->set_texture_rd_rid(p_new); // it has a view of the texture that is freed next
 	if (p_old.is_valid()) {

@@ -3,7 +3,7 @@
 // Everything here must be called on the render thread.
 #pragma once
 
-#include "core/base/layout.h"
+#include "core/solver/step.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
@@ -22,6 +22,8 @@ godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_w
 // With p_is_resting the rows have blades at rest; otherwise their contents are undefined.
 godot::RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting = false);
 void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
+// Copies the first p_kept rows, and others as p_moves says, from rows that the new ones replace.
+void move_rows(const godot::RID &p_from, const godot::RID &p_to, int p_kept, std::span<const SlotMove> p_moves);
 // Shows p_new instead of p_old, and frees p_old.
 void replace_texture(const godot::Ref<godot::Texture2DRD> &p_shown, const godot::RID &p_old, const godot::RID &p_new);
 

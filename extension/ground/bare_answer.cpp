@@ -4,6 +4,7 @@
 #include "core/field/bare_cause.h"
 #include "core/field/grass_at.h"
 #include "field/field_places.h"
+#include "field/project_pool.h"
 #include "shared/convert.h"
 #include "shared/text.h"
 
@@ -155,6 +156,18 @@ BareAnswer explain_level(const Node &p_node, const GroundBand &p_band, double p_
 		p_other };
 }
 
+String still_words(bool p_is_simulated, const TileManager &p_tiles) {
+	if (!p_is_simulated) {
+		return " Nothing bends it: `simulated` is off.";
+	}
+	const int64_t own = p_tiles.get_params().pool_size;
+	if (p_tiles.get_limit() >= own) {
+		return vformat(" Nothing bends it: all %d tiles of the pool are awake elsewhere (`pool_tiles`).", own);
+	}
+	return vformat(" Nothing bends it: all %d tiles that fields may have awake together are awake elsewhere (the project setting %s).",
+			int64_t(project_pool()->get_slots()), POOL_SETTING);
+}
+
 } // namespace
 
 BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
@@ -187,13 +200,11 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 		answer.text = standing_words(answer) + ".";
 	}
 	const TileManager &tiles = field.get_tiles();
-	const bool is_full = tiles.get_statistics().awake >= tiles.get_params().pool_size;
+	const bool is_full = tiles.get_statistics().awake >= tiles.get_limit();
 	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile.x, tile.y));
 	answer.is_still = !p_properties.simulated || (is_full && !is_awake);
 	if (answer.density > 0.0 && answer.is_still) {
-		answer.text += !p_properties.simulated ? String(" Nothing bends it: `simulated` is off.")
-											   : vformat(" Nothing bends it: all %d tiles of the pool are awake elsewhere (`pool_tiles`).",
-														 int64_t(tiles.get_params().pool_size));
+		answer.text += still_words(p_properties.simulated, tiles);
 	}
 	return answer;
 }

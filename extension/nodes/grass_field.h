@@ -110,7 +110,9 @@ public:
 	BackendMode get_backend() const { return _properties.is_on_cpu ? BACKEND_CPU : BACKEND_AUTO; }
 	void set_pool_tiles(int64_t p_tiles);
 	int64_t get_pool_tiles() const { return _properties.pool_tiles; }
-	void fit_pool(int64_t p_tiles); // for a world: sets `pool_tiles` without making the field again
+	// For a world: sets `pool_tiles` without making the field again; slots that exist now.
+	void fit_pool(int64_t p_tiles);
+	int64_t get_pool_slots() const { return _standing.get_field().get_tiles().get_room(); }
 	void set_collision_mask(int64_t p_mask);
 	int64_t get_collision_mask() const { return _properties.collision_mask; }
 	// grass_field_hook.cpp: the user's include that the shaders call.

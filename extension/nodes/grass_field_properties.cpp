@@ -93,8 +93,9 @@ void GrassField::set_pool_tiles(int64_t p_tiles) {
 }
 
 void GrassField::fit_pool(int64_t p_tiles) {
-	_properties.pool_tiles = p_tiles;
-	_standing.fit_pool();
+	if (replace(_properties.pool_tiles, p_tiles)) {
+		_standing.fit_pool();
+	}
 }
 
 void GrassField::set_collision_mask(int64_t p_mask) {

@@ -101,14 +101,10 @@ void GrassWorld::_frame() {
 	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this, _plots.find_layers())) {
 		eyes.push_back({ camera, _camera_radius });
 	}
-	std::vector<WorldMover> movers = _eyes.find_bodies();
-	for (const WorldMover &body : movers) {
-		eyes.push_back({ body.place, _body_radius });
+	for (const Eigen::Vector2d &body : _eyes.find_bodies()) {
+		eyes.push_back({ body, _body_radius });
 	}
-	for (const GrassForce3D *force : GrassForce3D::get_blowing()) {
-		movers.push_back({ place_of(force->get_global_position()), {} });
-	}
-	if (!outlives(*this, [&] { _plots.update(eyes, movers, get_process_delta_time()); }) || !is_inside_tree()) {
+	if (!outlives(*this, [&] { _plots.update(eyes); }) || !is_inside_tree()) {
 		return;
 	}
 	report();

@@ -87,11 +87,11 @@ std::vector<Eigen::Vector2d> WorldEyes::find_cameras(const Node3D &p_world, uint
 	return find_eyes_on_ground(&p_world, p_layers, to_eigen(p_world.get_global_transform()));
 }
 
-std::vector<WorldMover> WorldEyes::find_bodies() const {
-	std::vector<WorldMover> bodies;
+std::vector<Eigen::Vector2d> WorldEyes::find_bodies() const {
+	std::vector<Eigen::Vector2d> bodies;
 	for (const auto &[key, body] : _bodies) {
 		if (body.is_awake && body.place.is_finite()) {
-			bodies.push_back({ { body.place.x, body.place.z }, { body.velocity.x, body.velocity.z } });
+			bodies.emplace_back(body.place.x, body.place.z);
 		}
 	}
 	return bodies;

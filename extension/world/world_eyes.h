@@ -3,7 +3,6 @@
 // in the world's space, so that a shift of the origin changes nothing.
 #pragma once
 
-#include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
 #include "shared/watched_box.h"
 
@@ -30,7 +29,7 @@ public:
 
 	// p_layers: the layers of the grass.
 	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world, uint32_t p_layers) const;
-	std::vector<WorldMover> find_bodies() const; // awake ones
+	std::vector<Eigen::Vector2d> find_bodies() const; // awake ones
 	int64_t get_body_count() const { return int64_t(_bodies.size()); }
 
 private:

@@ -32,8 +32,7 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	_told_of_empty = _told_of_taken = false;
 	_statistics = {};
 	_planner = {};
-	_pool_tile.reset();
-	_pool_wanted = 0;
+	_pool_tile = 0;
 	const auto start_fields = [&] { _fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label); };
 	if (!outlives(_fields.get_world(), start_fields) || _is_running) { // a script of the scene restarted the world
 		return;
@@ -61,7 +60,7 @@ void WorldPlots::stop(bool p_forgets) {
 	_is_running = false;
 }
 
-void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta) {
+void WorldPlots::update(std::span<const WorldEye> p_eyes) {
 	const int64_t moves = _statistics.brought + _statistics.left;
 	take_read();
 	look_after_fields();
@@ -69,8 +68,8 @@ void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const WorldM
 		return;
 	}
 	measure();
-	make_plan(p_eyes, p_movers, p_delta);
-	fit_pools();
+	make_plan(p_eyes);
+	limit_pools();
 	if (!run([&] { leave_one(); }) || !run([&] { bring_one(); }) || !run([&] { _fields.find_place(); })) {
 		return;
 	}

@@ -3,7 +3,6 @@
 // changed when they leave.
 #pragma once
 
-#include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
 #include "shared/script_call.h"
 #include "world/world_fields.h"
@@ -11,7 +10,6 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace grass {
@@ -43,8 +41,7 @@ public:
 	void stop(bool p_forgets = false);
 	bool is_running() const { return _is_running; }
 	void set_budget(size_t p_bytes) { _settings.budget = p_bytes; }
-	// Runs a frame of p_delta seconds. p_movers: bodies and forces, around which grass is simulated.
-	void update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
+	void update(std::span<const WorldEye> p_eyes); // runs a frame
 
 	GrassField *find(const PlotKey &p_key) const; // null: not in memory, or not made yet
 	std::vector<PlotKey> get_standing() const;
@@ -87,9 +84,9 @@ private:
 	void tell_once(bool &r_has_told, const PlotKey &p_key, const char *p_text) const;
 	bool make_fields();
 	void show_coming();
-	void make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
+	void make_plan(std::span<const WorldEye> p_eyes);
 	void bring_one();
-	void bring(PlotKey p_key, int64_t p_pool);
+	void bring(PlotKey p_key);
 	void leave_one();
 	void leave(PlotKey p_key, uint64_t p_field);
 	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
@@ -98,11 +95,11 @@ private:
 	// world_plots_memory.cpp
 	void measure();
 	std::vector<LoadedPlot> find_loaded() const;
-	PlotPools find_pools() const;
-	void fit_pools();
-	int64_t pool_for(const PlotKey &p_key) const;
+	size_t pool_bytes(const GrassField &p_field, const FieldMemory &p_measured) const;
+	int64_t find_most_slots() const;
+	void limit_pools();
 	bool is_under_eyes(const PlotKey &p_key) const;
-	size_t count_bytes() const; // that the budget pays for: of fields and maps, including those that wait, with pools full of awake tiles
+	size_t count_bytes() const; // that the budget pays for: of fields and maps, including those that wait
 	size_t count_used() const; // of them, in use now
 	size_t count_shared() const;
 
@@ -117,11 +114,8 @@ private:
 	bool _is_running = false;
 	godot::String _label; // of the world, for messages
 	bool _told_of_empty = false, _told_of_taken = false; // since it entered the tree
-	std::optional<int64_t> _pool_tile; // bytes for each tile of a pool; empty until a field runs
-	std::optional<int64_t> _least_pool; // bytes of the smallest pool that was measured
-	size_t _pool_wanted = 0; // bytes that wait for other plots to leave
+	int64_t _pool_tile = 0; // bytes for each slot of a pool; 0 until a field runs
 	PlotKey _measured{ 1 << 30, 0 }; // the plot measured last
-	double _frame_seconds = 0.0; // mean duration of the last frames
 	WorldStatistics _statistics;
 };
 

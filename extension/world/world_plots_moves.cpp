@@ -87,18 +87,15 @@ void WorldPlots::bring_one() {
 		const auto found = _plots.find(key);
 		if (found != _plots.end() && found->second.state == State::READ) {
 			_fields.forget_lost();
-			const PlotPools pools = find_pools();
-			const size_t bytes = count_bytes() + _planner.expected(key);
-			const auto fits = [&](int64_t p_pool) { return bytes + size_t(p_pool) * pools.tile_bytes <= _settings.budget; };
-			if (_fields.count_spare() > 0 || is_under_eyes(key) || fits(pools.quiet)) {
-				bring(key, fits(pool_for(key)) ? pool_for(key) : pools.quiet);
+			if (_fields.count_spare() > 0 || is_under_eyes(key) || count_bytes() + _planner.expected(key) <= _settings.budget) {
+				bring(key);
 			}
 			return;
 		}
 	}
 }
 
-void WorldPlots::bring(PlotKey p_key, int64_t p_pool) {
+void WorldPlots::bring(PlotKey p_key) {
 	GrassField *field = nullptr;
 	if (!run([&] { field = _fields.take(); })) {
 		return;
@@ -118,9 +115,7 @@ void WorldPlots::bring(PlotKey p_key, int64_t p_pool) {
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
 	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots consist of whole chunks
-	if (field->get_pool_tiles() != p_pool) {
-		field->set_pool_tiles(p_pool);
-	}
+	field->fit_pool(find_most_slots());
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
 	snapshot->map = plot.known;
@@ -145,12 +140,12 @@ void WorldPlots::leave_one() {
 		if (field_of(plot) == nullptr) {
 			_plots.erase(key);
 		} else if (plot.state == State::STANDING &&
-				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() + _pool_wanted > _settings.budget)) {
+				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() > _settings.budget)) {
 			leave(key, plot.field);
 			return;
 		}
 	}
-	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() + _pool_wanted > _settings.budget) {
+	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() > _settings.budget) {
 		_fields.free_spare();
 	}
 }
@@ -175,8 +170,9 @@ void WorldPlots::leave(PlotKey p_key, uint64_t p_field) {
 	}
 	_plots.erase(found);
 	_statistics.left++;
-	const bool has_room = count_bytes() + _pool_wanted <= _settings.budget;
-	_fields.give_back(field, has_room && field->get_pool_tiles() <= find_pools().quiet); // a large pool is needed elsewhere
+	field->fit_pool(0); // it waits without slots
+	field->fit_pool(find_most_slots());
+	_fields.give_back(field, count_bytes() <= _settings.budget);
 }
 
 bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const {

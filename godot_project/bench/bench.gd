@@ -42,6 +42,7 @@ const PARTS: Dictionary[String, GDScript] = {
 	"simulate": preload("res://bench/bench_simulate.gd"),
 	"sleep": preload("res://bench/bench_sleep.gd"),
 	"species": preload("res://bench/bench_species.gd"),
+	"town": preload("res://bench/bench_town.gd"),
 }
 
 

@@ -52,9 +52,11 @@ TEST_CASE("Memory of slots that are given back comes again, fresh, and the other
 	scene.step();
 	const int64_t one_and_two = scene.pool.get_memory_usage();
 	const std::vector<Eigen::Vector3f> first = scene.pool.get_knots(scene.slots[0].tile.w, 5);
-	scene.pool.trim(scene.slots[1].tile.w);
+	scene.pool.resize(scene.slots[1].tile.w, {});
 	CHECK(scene.pool.get_memory_usage() < one_and_two);
 	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5).empty());
+	CHECK(scene.pool.get_knots(scene.slots[0].tile.w, 5) == first);
+	scene.pool.resize(64, {});
 	CHECK(scene.pool.get_energy()[size_t(scene.slots[1].tile.w)] == 0.0f);
 	CHECK(scene.pool.get_knots(scene.slots[0].tile.w, 5) == first);
 	scene.slots[1].list.w |= GRASS_SLOT_FRESH;
@@ -64,7 +66,6 @@ TEST_CASE("Memory of slots that are given back comes again, fresh, and the other
 	other.step();
 	CHECK(scene.pool.get_memory_usage() == one_and_two);
 	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5) == other.pool.get_knots(other.slots[1].tile.w, 5));
-	scene.pool.trim(-1);
-	scene.pool.trim(1000);
-	CHECK(scene.pool.get_memory_usage() < one_and_two);
+	scene.pool.resize(0, {});
+	CHECK(scene.pool.get_memory_usage() == 0);
 }

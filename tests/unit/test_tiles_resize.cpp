@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TileManager while its pool becomes larger or smaller under awake tiles.
+// TileManager while its pool becomes larger or smaller under awake tiles: since scripts say so, or since tiles wake and sleep.
 #include "tile_scene.h"
 
 #include <doctest/doctest.h>
@@ -107,4 +107,108 @@ TEST_CASE("tiles: a pool of any size, in any order, stays in order") {
 	CHECK(manager.get_params().pool_size == 0);
 	manager.resize_pool(1 << 30);
 	CHECK(manager.get_params().pool_size == TileParams::MAX_POOL_SIZE);
+}
+
+TEST_CASE("tiles: slots exist as tiles need them, in powers of two, and go some seconds after") {
+	TileManager manager = make_manager(4096);
+	CHECK(manager.get_room() == 0);
+	step(manager, {});
+	CHECK(manager.get_room() == 0);
+	step(manager, { make_ball(manager, 2) });
+	CHECK(manager.get_room() == 16);
+	check_consistent(manager);
+	std::vector<ColliderShape> balls;
+	for (int i = 0; i < 300; i++) {
+		balls.push_back(make_ball(manager, i % 39, i / 39));
+	}
+	step(manager, balls); // in one step
+	check_consistent(manager);
+	CHECK(manager.get_statistics().awake == 300);
+	CHECK(manager.get_statistics().refused == 0);
+	CHECK(manager.get_room() == 512);
+	const size_t at_most = manager.get_memory_usage();
+	for (int i = 0; i < 60; i++) { // all but the last one come to rest
+		step(manager, { balls.back() });
+	}
+	REQUIRE(manager.get_statistics().awake == 1);
+	const int slot = manager.get_slot_of(manager.get_tile_of(299));
+	CHECK(slot == 299);
+	CHECK(manager.trim(2.9).empty());
+	CHECK(manager.get_room() == 512);
+	const std::vector<SlotMove> moves = manager.trim(0.2);
+	CHECK(manager.get_room() == 32);
+	REQUIRE(moves.size() == 1);
+	CHECK(moves[0].from == 299);
+	CHECK(moves[0].to == 0);
+	step(manager, { balls.back() });
+	check_consistent(manager);
+	CHECK(manager.get_statistics().woken == 300); // it did not wake again
+	for (int i = 0; i < 60; i++) {
+		step(manager, {});
+	}
+	REQUIRE(manager.get_statistics().awake == 0);
+	CHECK(manager.trim(3.1).empty());
+	CHECK(manager.get_room() == 0);
+	CHECK(manager.get_memory_usage() + 512 * 200 < at_most); // lists of colliders stay
+}
+
+TEST_CASE("tiles: slots that are needed now and then stay") {
+	TileManager manager = make_manager(4096);
+	step(manager, { make_ball(manager, 2) });
+	for (int i = 0; i < 40; i++) { // for much longer than it takes until they go
+		CHECK(manager.trim(1.0).empty());
+		CHECK(manager.get_room() == 16);
+		step(manager, { make_ball(manager, 2) });
+	}
+}
+
+TEST_CASE("tiles: the records are the same whatever slots existed before") {
+	TileManager grown = make_manager(4096), large = make_manager(4096);
+	std::vector<ColliderShape> many;
+	for (int i = 0; i < 1000; i++) {
+		many.push_back(make_ball(large, i % 39, i / 39));
+	}
+	step(large, many);
+	while (large.get_statistics().awake > 0) {
+		step(large, {});
+	}
+	std::mt19937 random(9);
+	for (int round = 0; round < 100; round++) {
+		std::vector<ColliderShape> balls;
+		for (uint32_t i = random() % 80; i > 0; i--) {
+			balls.push_back(make_ball(grown, int(random() % 39), int(random() % 39)));
+		}
+		step(grown, balls);
+		step(large, balls);
+		REQUIRE(grown.get_slots().size() == large.get_slots().size());
+		for (size_t i = 0; i < grown.get_slots().size(); i++) {
+			REQUIRE(grown.get_slots()[i].tile == large.get_slots()[i].tile);
+			REQUIRE(grown.get_slots()[i].list == large.get_slots()[i].list);
+		}
+	}
+	CHECK(grown.get_room() < large.get_room());
+}
+
+TEST_CASE("tiles: no more are awake than are granted, and the calmest give way") {
+	TileManager manager = make_manager(64);
+	step(manager, { make_ball(manager, 2), make_ball(manager, 4), make_ball(manager, 6) });
+	report(manager, { 3.0f, 1.0f, 2.0f });
+	CHECK_FALSE(manager.lacks_grant());
+	CHECK(manager.grant(40).empty()); // enough
+	const std::vector<SlotMove> moves = manager.grant(2);
+	REQUIRE(moves.size() == 1);
+	CHECK(moves[0].tile == 4);
+	CHECK(moves[0].to == GRASS_NO_SLOT);
+	CHECK(manager.is_awake(2));
+	CHECK(manager.is_awake(6));
+	step(manager, { make_ball(manager, 2), make_ball(manager, 6), make_ball(manager, 8) });
+	check_consistent(manager);
+	CHECK(manager.lacks_grant());
+	const PoolDemand demand = manager.find_demand();
+	CHECK(demand.tiles[0] == 3); // nothing is known of cameras
+	CHECK(demand.most == 64);
+	manager.grant(64);
+	step(manager, { make_ball(manager, 2), make_ball(manager, 6), make_ball(manager, 8) });
+	CHECK(manager.get_statistics().awake == 3);
+	CHECK_FALSE(manager.lacks_grant());
 }

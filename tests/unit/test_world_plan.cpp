@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Which plots of a world are in memory: near the eyes, nearest first, within a budget, without back and forth.
-#include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
 
 #include <doctest/doctest.h>
@@ -20,16 +19,16 @@ const WorldGrid &grid() {
 	return made;
 }
 
-// Needs without pools and without anything held back.
+// Needs without anything held back.
 WorldNeeds needs(std::span<const WorldEye> p_eyes, std::span<const LoadedPlot> p_loaded, size_t p_budget) {
-	return { p_eyes, {}, p_loaded, {}, p_budget, 0 };
+	return { p_eyes, p_loaded, p_budget, 0 };
 }
 
 // Of so many bytes each.
 std::vector<LoadedPlot> loaded_plots(std::initializer_list<PlotKey> p_keys, size_t p_bytes) {
 	std::vector<LoadedPlot> plots;
 	for (const PlotKey &key : p_keys) {
-		plots.push_back({ key, p_bytes, 0, 0 });
+		plots.push_back({ key, p_bytes, 0 });
 	}
 	return plots;
 }
@@ -169,30 +168,19 @@ TEST_CASE("world: a plot dearer than the others keeps nobody away once it is lef
 	CHECK(planner.plan(grid(), needs({ &eye, 1 }, loaded, 100 * MB)).wanted.size() == 9);
 }
 
-TEST_CASE("world: a pool is paid for before farther plots, and leaves room for another one") {
+TEST_CASE("world: a pool is paid for before farther plots, as long as it exists") {
 	const WorldPlanner planner = planner_of(10 * MB);
-	const WorldEye eyes[] = { { { 128.0, 128.0 }, 300.0 }, { { 140.0, 128.0 }, 32.0 } };
-	const PlotKey busy[] = { { 0, 0 } };
-	WorldNeeds wanted = needs(eyes, {}, 1000 * MB);
-	wanted.busy = busy;
-	wanted.pools = { 32, 4096, MB / 32 }; // 1 MB, 128 MB
-	CHECK(planner.plan(grid(), wanted).pools.at({ 0, 0 }) == 4096);
-	wanted.budget = 150 * MB; // 139 are left, of which half may be a pool's
-	WorldPlan plan = planner.plan(grid(), wanted);
-	CHECK(plan.pools.at({ 0, 0 }) == 2048);
-	CHECK(plan.wanted.size() == 1 + 6); // 75 MB are left
-	wanted.budget = 12 * MB;
-	plan = planner.plan(grid(), wanted);
-	CHECK(plan.pools.at({ 0, 0 }) == 32);
-	CHECK(plan.wanted == std::vector<PlotKey>{ { 0, 0 } });
-	const LoadedPlot loaded[] = { { { 0, 0 }, 10 * MB, 64 * MB, 2048 } }; // it has one
-	wanted.loaded = loaded;
-	wanted.budget = 150 * MB;
-	plan = planner.plan(grid(), wanted);
-	CHECK(plan.pools.at({ 0, 0 }) == 2048);
-	CHECK(plan.wanted.size() == 1 + 6);
-	wanted.busy = {};
-	CHECK(planner.plan(grid(), wanted).pools.empty());
+	const WorldEye eye{ { 128.0, 128.0 }, 300.0 };
+	LoadedPlot plot{ { 0, 0 }, 10 * MB, 64 * MB };
+	const auto count_wanted = [&](size_t p_budget) {
+		return planner.plan(grid(), needs({ &eye, 1 }, { &plot, 1 }, p_budget)).wanted.size();
+	};
+	CHECK(count_wanted(150 * MB) == 1 + 7); // 76 MB are left
+	CHECK(count_wanted(80 * MB) == 1);
+	CHECK(planner.plan(grid(), needs({ &eye, 1 }, { &plot, 1 }, 60 * MB)).missing == 14 * MB);
+	plot.pool = 0;
+	CHECK(count_wanted(150 * MB) == 9);
+	CHECK(count_wanted(80 * MB) == 8);
 }
 
 TEST_CASE("world: the farthest leaves first, and what lingers leaves where there is no room") {
@@ -236,7 +224,7 @@ TEST_CASE("world: a plan that is followed is the same plan again") {
 		if (next == plan.wanted.end()) {
 			break;
 		}
-		loaded.push_back({ *next, size_t(1 + (std::abs(next->x * 7 + next->z * 3) % 5)) * 4 * MB, 0, 0 });
+		loaded.push_back({ *next, size_t(1 + (std::abs(next->x * 7 + next->z * 3) % 5)) * 4 * MB, 0 });
 	}
 	planner.learn(loaded);
 	const WorldPlan plan = planner.plan(grid(), needs({ &eye, 1 }, loaded, 60 * MB));
@@ -273,26 +261,4 @@ TEST_CASE("world: a plan's work grows with the bodies, or with the plots that th
 	const WorldPlan plan = planner.plan(fine, needs({ &wide, 1 }, {}, 100 * MB));
 	CHECK(plan.wanted.size() == 100);
 	CHECK(plan.tests < 500);
-}
-
-TEST_CASE("world: a plot is busy before what moves is there, the sooner the faster it is") {
-	const auto busy_with = [](const Eigen::Vector2d &p_place, const Eigen::Vector2d &p_velocity, double p_seconds) {
-		const WorldMover mover{ p_place, p_velocity };
-		return find_busy(grid(), { &mover, 1 }, p_seconds).plots;
-	};
-	CHECK(busy_with({ 100.0, 100.0 }, { 0.0, 0.0 }, 2.0) == std::vector<PlotKey>{ { 0, 0 } });
-	CHECK(busy_with({ 245.0, 100.0 }, { 0.0, 0.0 }, 2.0) == std::vector<PlotKey>{ { 0, 0 }, { 1, 0 } }); // 11 m from the border
-	CHECK(busy_with({ 100.0, 100.0 }, { 30.0, 0.0 }, 2.0) == std::vector<PlotKey>{ { 0, 0 } }); // 96 m from it, 76 on the way
-	CHECK(busy_with({ 100.0, 100.0 }, { 30.0, 0.0 }, 5.0) == std::vector<PlotKey>{ { 0, 0 }, { 1, 0 } });
-	CHECK(busy_with({ 100.0, 100.0 }, { 90.0, 0.0 }, 2.0) == std::vector<PlotKey>{ { 0, 0 }, { 1, 0 } });
-	CHECK(busy_with({ 100.0, 100.0 }, { -60.0, 0.0 }, 2.0) == std::vector<PlotKey>{ { -1, 0 }, { 0, 0 } });
-	CHECK(busy_with({ 20.0, 128.0 }, { 60.0, 80.0 }, 4.0) == std::vector<PlotKey>{ { 0, 0 }, { 0, 1 }, { 1, 1 } }); // on a diagonal
-	CHECK(busy_with({ std::nan(""), 0.0 }, { 1.0, 0.0 }, 2.0).empty());
-	CHECK(busy_with({ 100.0, 100.0 }, { std::nan(""), 0.0 }, 2.0) == std::vector<PlotKey>{ { 0, 0 } });
-	CHECK(busy_with({ 100.0, 100.0 }, { 1e300, 0.0 }, 1.0) == busy_with({ 100.0, 100.0 }, { BUSY_WAY, 0.0 }, 1.0)); // only so far
-	std::vector<WorldMover> many;
-	for (const WorldEye &eye : crowd(1000, -3000.0, 3000.0, 0.0, 9)) {
-		many.push_back({ eye.place, { 5.0, -5.0 } });
-	}
-	CHECK(find_busy(grid(), many, 2.0).tests <= 2000);
 }

@@ -39,6 +39,7 @@ PARTS = (
 	Part("detail", 40),
 	Part("movers", 25, flags=FIXED),
 	Part("rest", 20),
+	Part("town", 60, (), flags=FIXED),
 	Part("paper_passes", 25, ("paper",)),
 	Part("limits", 10),
 	Part("levels", 40, flags="--xr-mode on"),

@@ -40,6 +40,18 @@ double FieldParams::calm_energy() const {
 	return energy_within(1e-3 * sleep_motion);
 }
 
+Field::Field(std::shared_ptr<PoolBudget> p_budget) : _pool_budget(std::move(p_budget)) {
+	if (_pool_budget) {
+		_pool_budget->join(*this);
+	}
+}
+
+Field::~Field() {
+	if (_pool_budget) {
+		_pool_budget->leave(*this);
+	}
+}
+
 void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const MapLayers *p_map,
 		const SpeciesPatches &p_species, const FieldParams &p_params) {
 	_setup = p_setup;
@@ -56,7 +68,7 @@ void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
 	_tiles.get_detail().forget();
-	_tiles.reset();
+	rest();
 	_clock.reset();
 	_budget.reset();
 	_untimed_steps = 0;
@@ -75,10 +87,22 @@ void Field::set_params(const FieldParams &p_params) {
 	}
 }
 
+void Field::rest() {
+	_tiles.reset();
+	_room = 0;
+}
+
 void Field::set_pool_size(Simulator &r_simulator, int p_slots) {
 	const std::vector<SlotMove> moves = _tiles.resize_pool(p_slots);
 	_setup.pool_size = _tiles.get_params().pool_size;
-	r_simulator.resize_pool(_setup.pool_size, moves);
+	fit_pool(r_simulator, moves);
+}
+
+void Field::fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves) {
+	if (_room != _tiles.get_room() || !p_moves.empty()) {
+		_room = _tiles.get_room();
+		r_simulator.resize_pool(_room, p_moves);
+	}
 }
 
 TileParams Field::tile_params() const {
@@ -168,7 +192,12 @@ void Field::see_tiles(const FieldView &p_view, bool p_is_visible) {
 }
 
 bool Field::begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta) {
-	r_simulator.tidy();
+	if (holds_slots()) {
+		fit_pool(r_simulator, _tiles.trim(p_delta));
+	}
+	if (_pool_budget) {
+		fit_pool(r_simulator, _tiles.grant(_pool_budget->grant(*this, _tiles.get_statistics().awake)));
+	}
 	_can_simulate = r_simulator.can_simulate();
 	if ((_is_seen && _can_simulate) || p_is_listened) {
 		return true;
@@ -197,6 +226,9 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 	if (!_can_simulate) {
 		_tiles.reset(); // which bodies meet grass is known; the blades stay at rest
 		return false;
+	}
+	if (_pool_budget) {
+		_pool_budget->report(*this, _tiles.get_statistics().awake, _tiles.lacks_grant());
 	}
 	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
 		return false;
@@ -240,6 +272,7 @@ void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> 
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
 	_step = input.step;
+	fit_pool(r_simulator);
 	r_simulator.step(input);
 }
 

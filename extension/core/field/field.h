@@ -20,9 +20,15 @@
 
 namespace grass {
 
-class Field {
+class Field : private PoolBudget::Member {
 public:
 	using SpeciesPatches = std::vector<std::shared_ptr<const Patch>>;
+
+	// p_budget: of awake tiles, for all fields together. Null: only the field's own pool limits them.
+	explicit Field(std::shared_ptr<PoolBudget> p_budget = nullptr);
+	Field(const Field &) = delete;
+	Field &operator=(const Field &) = delete;
+	~Field();
 
 	// Becomes this field, all of it at rest. p_map: what is painted on it, or null; must live until forget_map() or the field's end.
 	// p_species: the patch of each species.
@@ -34,8 +40,8 @@ public:
 		_setup = p_other._setup;
 		_bounds = p_other._bounds;
 	}
-	// Puts every blade to rest at once.
-	void rest() { _tiles.reset(); }
+	// Puts every blade to rest at once. The next simulator has no slots.
+	void rest();
 
 	// Sets the params for the next step. Ignores their method: the field keeps the one that it was made with.
 	void set_params(const FieldParams &p_params);
@@ -59,6 +65,8 @@ public:
 
 	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
+	// Returns true while slots exist: ticks must go on, so that they are freed.
+	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0; }
 	// Returns true once after skipped ticks: bodies have moved meanwhile, and must not sweep the grass on their way.
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. Returns true if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are
@@ -97,6 +105,8 @@ public:
 	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
 private:
+	PoolDemand find_demand() override { return _tiles.find_demand(); }
+	void fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves = {});
 	TileParams tile_params() const;
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
@@ -115,6 +125,8 @@ private:
 	SpeciesPatches _species;
 	FieldBlades _blades;
 	TileManager _tiles;
+	std::shared_ptr<PoolBudget> _pool_budget;
+	int _room = 0; // slots that the simulator has
 	StepClock _clock;
 	static constexpr int MOST_UNTIMED = 240;
 	SimulationBudget _budget;

@@ -16,6 +16,7 @@ struct DrawnStatistics {
 struct FieldStatistics {
 	const char *backend = "none";
 	int64_t blades = 0, pool_tiles = 0, bare_tiles = 0;
+	int64_t pool_slots = 0, pool_bytes = 0; // that exist now
 	int64_t memory = 0; // bytes
 	int64_t awake_tiles = 0;
 	double coarseness = 1.0; // see Field::get_coarseness()

@@ -17,8 +17,8 @@ class PoolTexels {
 public:
 	static constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-	// Sets the number of slots that may be awake; none is awake.
-	void reset(int p_pool_size);
+	// Sets the number of slots; no tile is awake.
+	void reset(int p_pool_size = 0);
 	// Sets another number of slots. The blades of awake tiles stay, where p_moves says.
 	void resize_pool(int p_pool_size, std::span<const SlotMove> p_moves);
 	// Sets whether frames show a mix of two steps. Begins with the last step.

@@ -33,10 +33,9 @@ public:
 	// Poses the blades that are drawn from now on, as the simulated ones beside them, [Eq 49]. p_slots: of TileManager::widen(); p_step:
 	// the last one.
 	virtual void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) = 0;
-	// Changes the number of slots. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their blades.
+	// Changes the number of slots, none at first. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their
+	// blades.
 	virtual void resize_pool(int p_slots, std::span<const SlotMove> p_moves) = 0;
-	// Frees memory that was not needed for a while. Must be called in every tick, with or without a step.
-	virtual void tidy() {}
 	// Returns the newest known report without waiting; it is valid until the next call.
 	virtual EnergyReport read_energy() = 0;
 };

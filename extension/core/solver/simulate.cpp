@@ -74,19 +74,13 @@ void find_air_load(const TileState &p_state, const GrassSlot &p_slot, const Step
 
 } // namespace
 
-CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size) :
+CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
 		_patch(std::move(p_patch)),
-		_slots(size_t(std::max(p_pool_size, 0))),
+		_slots(size_t(std::max(p_slots, 0))),
 		_energy(_slots.size(), 0.0f),
 		_bends(_slots.size(), Eigen::Vector3f::Zero()) {}
 
 CpuPool::~CpuPool() = default;
-
-void CpuPool::set_pool_size(int p_pool_size) {
-	_slots.resize(size_t(std::max(p_pool_size, 0)));
-	_energy.assign(_slots.size(), 0.0f);
-	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
-}
 
 void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 	for (const SlotMove &move : p_moves) {
@@ -98,6 +92,7 @@ void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 		}
 	}
 	_slots.resize(size_t(p_slots));
+	_slots.shrink_to_fit();
 	_energy.resize(size_t(p_slots), 0.0f);
 	_bends.resize(size_t(p_slots), Eigen::Vector3f::Zero());
 }
@@ -289,14 +284,6 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 			}
 			texel[3] = float_to_half(k < GRASS_CLAMPED_KNOTS ? 0.0f : state.twist[k - GRASS_CLAMPED_KNOTS][b]);
 		}
-	}
-}
-
-void CpuPool::trim(int p_slots) {
-	for (size_t slot = size_t(std::max(p_slots, 0)); slot < _slots.size(); slot++) {
-		_slots[slot].reset();
-		_energy[slot] = 0.0f;
-		_bends[slot].setZero();
 	}
 }
 

@@ -18,15 +18,15 @@ namespace grass {
 
 class CpuPool {
 public:
-	// p_pool_size: tiles that can be awake at once. Memory is allocated when a slot is first used.
-	CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size);
+	// Memory is allocated when a slot is first used, and freed with the slot.
+	explicit CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots = 0);
 	~CpuPool();
 
-	// Set other blades and another number of slots. Tiles that are awake must wake again.
+	// Sets other blades. Tiles that are awake must wake again.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
-	void set_pool_size(int p_pool_size);
 	// Sets another number of slots. Awake tiles go on where p_moves says.
 	void resize(int p_slots, std::span<const SlotMove> p_moves);
+	int get_size() const { return int(_slots.size()); } // slots
 
 	// Takes one step of every tile in p_input; the result does not depend on p_parallel_for. Ignores records of slots that do not exist and
 	// of blades beyond the patch. p_step: one of those in tile_step.h; step_scalar_double() is the reference: slow, with its state stored
@@ -48,9 +48,6 @@ public:
 	std::span<const float> get_energy() const { return _energy; }
 	// [Eq M5] Returns, for every slot, the mean offset of its blades' tips from rest, as shares of the blades' lengths.
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
-
-	// Frees the memory of slots from p_slots on, none of which may be awake; it is allocated again when they are used.
-	void trim(int p_slots);
 
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
 	int64_t get_simulated_knots() const { return _simulated_knots; } // likewise: the free ones of their chains

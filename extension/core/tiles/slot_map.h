@@ -35,9 +35,16 @@ public:
 	void reserve(int p_capacity) {
 		_entries.assign(FIRST_ENTRIES, {});
 		_squares.resize(size_t(p_capacity));
+		_squares.shrink_to_fit();
 		_free.reset(p_capacity, true);
 		_mask = uint32_t(_entries.size() - 1);
 		_count = 0;
+	}
+
+	// Makes room for p_capacity tiles, at least as many as it had room for. Keeps its tiles.
+	void grow_to(int p_capacity) {
+		_free.resize(int(_squares.size()), p_capacity, true);
+		_squares.resize(size_t(p_capacity));
 	}
 
 	// Returns true if none of its tiles has a slot.

@@ -26,6 +26,7 @@ public:
 	// Changes the number of slots. The set keeps those that still exist; new ones are in it if p_full.
 	void resize(int p_before, int p_size, bool p_full) {
 		_words.resize(size_t(p_size + 63) / 64, 0);
+		_words.shrink_to_fit();
 		for (int slot = p_before; slot < p_size; slot++) {
 			insert_if(slot, p_full);
 		}

@@ -11,6 +11,7 @@ void TileMeetings::reset() {
 	_barred.clear();
 	_waiting.clear();
 	_is_short = false;
+	_refused = 0;
 }
 
 size_t TileMeetings::get_memory_usage() const {
@@ -38,7 +39,7 @@ void TileMeetings::begin(size_t p_colliders) {
 	_block_count = count_blocks(p_colliders);
 	_blocks.resize(std::max(_blocks.size(), _block_count));
 	for (Block &block : get_blocks()) {
-		block.begin(_tiles->params.pool_size);
+		block.begin(_tiles->room);
 	}
 }
 
@@ -56,15 +57,15 @@ void TileMeetings::bar_yielded() {
 	}
 }
 
-void TileMeetings::Block::begin(int p_pool_size) {
+void TileMeetings::Block::begin(int p_room) {
 	ways.clear();
 	squares.clear();
 	meetings.clear();
 	meetings_asleep.clear();
 	known_slots.swap(known_slots_before);
 	known_slots.clear();
-	met.reset(p_pool_size, false);
-	stirred.reset(p_pool_size, false);
+	met.reset(p_room, false);
+	stirred.reset(p_room, false);
 	bad_colliders = looked_at = refused = 0;
 }
 

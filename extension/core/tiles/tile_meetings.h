@@ -27,6 +27,8 @@ public:
 	struct Tiles {
 		const TileGrid &grid;
 		const TileParams &params;
+		int limit; // tiles that may be awake in this step
+		int room; // slots that exist
 		const TileBounds *bounds; // null: a tile's box is its square, enlarged
 		const TileView &view; // in this step
 		const SlotMap &slots; // of awake tiles
@@ -64,6 +66,8 @@ public:
 	std::span<const Waiting> get_waiting() const { return _waiting; }
 	// Returns true if there may be too few slots for the tiles that are met.
 	bool is_short() const { return _is_short; }
+	// Returns for about how many tiles there was no slot in this step: sleeping tiles below colliders, some of which they may not meet.
+	int count_refused() const { return _refused; }
 	size_t get_memory_usage() const; // bytes
 
 private:
@@ -115,7 +119,7 @@ private:
 		SlotSet met, stirred; // as in Tiles
 		uint64_t bad_colliders = 0, looked_at = 0, refused = 0; // as in TileStatistics
 
-		void begin(int p_pool_size);
+		void begin(int p_room);
 	};
 	// A way over tiles of which cameras see some.
 	struct SeenWay {
@@ -173,6 +177,7 @@ private:
 	std::vector<Waiting> _waiting;
 	SlotSet _unmet_seen; // awake tiles in view that no collider meets
 	bool _is_short = false;
+	int _refused = 0; // see count_refused()
 };
 
 } // namespace grass

@@ -9,7 +9,7 @@ namespace grass {
 // queue no longer changes then.
 void TileMeetings::meet_asleep_tiles(const ParallelFor &p_parallel_for) {
 	_queued.clear();
-	const size_t room = queue_seen_tiles(size_t(_tiles->params.pool_size - _tiles->met.count()));
+	const size_t room = queue_seen_tiles(size_t(_tiles->limit - _tiles->met.count()));
 	size_t next = 0;
 	for (; next < _block_count && _wanted.size() < room; next++) {
 		meet_asleep_tiles_of(_blocks[next], room);

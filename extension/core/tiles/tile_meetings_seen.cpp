@@ -15,6 +15,7 @@ size_t TileMeetings::queue_seen_tiles(size_t p_room) {
 		}
 	}
 	_is_short = asleep > p_room;
+	_refused = _is_short ? int(asleep - p_room) : 0;
 	if (!_is_short || _tiles->view.sees_all()) {
 		return p_room;
 	}

@@ -28,24 +28,14 @@ void TileManager::set_params(const TileParams &p_params) {
 void TileManager::reset() {
 	_time = 0.0;
 	_has_passed_unseen = false;
-	_times.assign(size_t(_params.pool_size), {});
-	_motions.assign(size_t(_params.pool_size), {});
-	_places.assign(size_t(_params.pool_size), {});
-	_lives.assign(size_t(_params.pool_size), {});
-	_blades.assign(size_t(_params.pool_size), {});
+	_used.clear();
+	std::vector<SlotMove> moves; // none
+	set_room(0, moves);
 	_followers.clear();
-	_entries.assign(size_t(_params.pool_size), 0);
-	_forces.assign(size_t(_params.pool_size), 0);
-	_signatures.assign(size_t(_params.pool_size), 0);
-	_signatures_before.assign(size_t(_params.pool_size), 0);
 	_bends.clear();
 	_reported_step = _bend_step = 0;
-	for (SlotSet *set : slot_sets()) {
-		set->reset(_params.pool_size, set == &_free);
-	}
-	_slot_of_tile.reserve(_params.pool_size);
+	_slack_time = 0.0;
 	_meetings.reset();
-	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be taken away and used again in the same step
 	_record_count = 0;
 	_colliders.clear();
 	_collider_list.clear();
@@ -58,8 +48,9 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, c
 	_time += delta;
 	_step_number++;
 	begin_step();
-	_meetings.find({ _grid, _params, _bounds.get(), _view, _slot_of_tile, _held, _yielded, _met, _stirred, _statistics }, p_colliders,
-			p_parallel_for); // lines 1 to 9
+	_meetings.find(
+			{ _grid, _params, get_limit(), _room, _bounds.get(), _view, _slot_of_tile, _held, _yielded, _met, _stirred, _statistics },
+			p_colliders, p_parallel_for); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	sign_meetings(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25
@@ -79,12 +70,8 @@ void TileManager::activate_tiles() {
 	_given_slots.clear();
 	const std::vector<int> &wanted = _meetings.get_wanted();
 	for (const int tile : wanted) {
-		int slot = _free.take_lowest();
-		if (slot == SlotSet::NONE) {
-			slot = take_calmest_slot(wanted.size() - _given_slots.size());
-		}
-		_given_slots.push_back(slot);
-		activate(slot, tile);
+		_given_slots.push_back(take_slot(wanted.size() - _given_slots.size()));
+		activate(_given_slots.back(), tile);
 	}
 }
 
@@ -110,7 +97,7 @@ int TileManager::get_slot_of(int p_tile) const {
 }
 
 int TileManager::get_tile_of(int p_slot) const {
-	if (p_slot < 0 || p_slot >= _params.pool_size || !_used.has(p_slot)) {
+	if (p_slot < 0 || p_slot >= _room || !_used.has(p_slot)) {
 		return TileMap::NONE;
 	}
 	const TileBounds::Tile tile = _places[size_t(p_slot)].tile;

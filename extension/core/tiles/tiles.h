@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Chooses which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps and the preallocated pool of section
-// 5.2. It visits colliders and awake tiles only, never the field's other tiles.
+// Chooses which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps of section 5.2, and a pool that is as
+// large as the awake tiles need. It visits colliders and awake tiles only, never the field's other tiles.
 #pragma once
 
 #include "core/lod/tile_detail.h"
 #include "core/solver/step.h"
+#include "core/tiles/pool_budget.h"
 #include "core/tiles/tile_colliders.h"
 #include "core/tiles/tile_meetings.h"
 #include "core/tiles/tile_params.h"
@@ -34,9 +35,22 @@ public:
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
 
-	// Changes the pool's size between two steps, and returns what happened to tiles in it. If more are awake than the pool may hold, the
-	// calmest come to rest at once, those out of view before others. Each keeps its slot if that still exists.
+	// Changes TileParams::pool_size between two steps, and returns what happened to awake tiles. If more are awake than may be, the calmest
+	// come to rest at once, those out of view before others. Each keeps its slot if that still exists.
 	std::vector<SlotMove> resize_pool(int p_slots);
+	// Does the same for what a PoolBudget grants: the smaller number holds.
+	std::vector<SlotMove> grant(int p_slots);
+	int get_limit() const { return std::min(_params.pool_size, _granted); } // tiles that may be awake
+	// Returns how many slots exist: none before a tile wakes, then a power of two, as long as the pool may have so many. update() makes
+	// more when tiles wake.
+	int get_room() const { return _room; }
+	// Must be called once in each tick of p_delta seconds. Frees slots that were not needed for some seconds, and returns the tiles that
+	// have others now.
+	std::vector<SlotMove> trim(double p_delta);
+	// Returns for how many tiles the field wants slots, after an update.
+	PoolDemand find_demand();
+	// Returns true if the last update found no slots for all tiles, though the pool's own size would have allowed them.
+	bool lacks_grant() const { return _granted < _params.pool_size && _meetings.is_short(); }
 
 	// Forgets all awake tiles and statistics, without making records: the backend empties its tile table too.
 	void reset();
@@ -144,7 +158,11 @@ private:
 	int take_calmest_slot(size_t p_wanted);
 	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
+	std::vector<SlotMove> fit_limit();
 	void rest_calmest(int p_count, std::vector<SlotMove> &r_moves);
+	void set_room(int p_slots, std::vector<SlotMove> &r_moves);
+	void forget_step();
+	int take_slot(size_t p_wanted);
 	void move_slot(int p_from, int p_to);
 	std::array<SlotSet *, 10> slot_sets() {
 		return { &_free, &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated };
@@ -178,7 +196,10 @@ private:
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
 
-	// The pool: the state of every slot, allocated once. _used is the paper's ActivatedTileList.
+	// The pool: the state of every slot that exists. _used is the paper's ActivatedTileList.
+	int _room = 0;
+	int _granted = PoolBudget::MOST_TILES; // tiles
+	double _slack_time = 0.0; // seconds for which far more slots have existed than were needed
 	std::vector<Times> _times;
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;
@@ -209,7 +230,7 @@ private:
 
 	std::vector<GrassSlot> _widened; // of widen()
 	std::vector<GrassSlot> _followers; // of this step
-	std::vector<GrassSlot> _records; // room for the largest possible number
+	std::vector<GrassSlot> _records; // two for each slot, which may be taken away and used again in the same step
 	size_t _record_count = 0;
 	TileColliders _colliders;
 	std::vector<uint32_t> _collider_list;

@@ -1,31 +1,75 @@
 // SPDX-License-Identifier: MIT
-// How the pool becomes larger or smaller while tiles in it are awake.
+// How many slots there are: as many as the awake tiles need, within the pool's size and what a PoolBudget grants.
 #include "core/tiles/tiles.h"
 
+#include <bit>
+#include <utility>
+
 namespace grass {
+
+namespace {
+
+// The first slots that a tile makes room for; then their number doubles. More: each field that a single body visits takes more memory.
+// Fewer: more often all of them are copied.
+constexpr int FIRST_ROOM = 16;
+// Slots are freed once so many times as many exist as the awake tiles need, for so many seconds; room for twice the tiles is kept. Less:
+// memory comes and goes with every body that passes.
+constexpr int MUCH = 4;
+constexpr double TRIM_AFTER = 3.0;
+
+// Returns the room for a number of awake tiles.
+int room_for(int p_tiles) {
+	return p_tiles > 0 ? std::max(FIRST_ROOM, int(std::bit_ceil(unsigned(p_tiles)))) : 0;
+}
+
+} // namespace
 
 std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 	TileParams params = _params;
 	params.pool_size = p_slots;
-	const int before = _params.pool_size, after = params.sanitised().pool_size;
+	_params.pool_size = params.sanitised().pool_size;
+	return fit_limit();
+}
+
+std::vector<SlotMove> TileManager::grant(int p_slots) {
+	_granted = std::max(p_slots, 0);
+	return fit_limit();
+}
+
+std::vector<SlotMove> TileManager::fit_limit() {
 	std::vector<SlotMove> moves;
-	if (after == before) {
-		return moves;
+	rest_calmest(_used.count() - get_limit(), moves);
+	if (_room > _params.pool_size) {
+		set_room(_params.pool_size, moves);
+	} else if (!moves.empty()) {
+		forget_step();
 	}
-	rest_calmest(_used.count() - after, moves);
+	return moves;
+}
+
+std::vector<SlotMove> TileManager::trim(double p_delta) {
+	const int needed = room_for(_used.count());
+	_slack_time = _room > 0 && needed * MUCH <= _room ? _slack_time + std::max(p_delta, 0.0) : 0.0;
+	std::vector<SlotMove> moves;
+	if (_slack_time >= TRIM_AFTER) {
+		_slack_time = 0.0;
+		set_room(2 * needed, moves);
+	}
+	return moves;
+}
+
+// Tiles that have slots beyond the new room get others.
+void TileManager::set_room(int p_slots, std::vector<SlotMove> &r_moves) {
 	for (const int slot : _used) {
-		if (slot >= after) { // one below is free, since no more tiles are awake than there are slots
+		if (slot >= p_slots) { // one below is free, since no more tiles are awake than there are slots
 			const int to = _free.take_lowest();
-			moves.push_back({ get_tile_of(slot), slot, to });
+			r_moves.push_back({ get_tile_of(slot), slot, to });
 			move_slot(slot, to);
 		}
 	}
-	if (!moves.empty()) {
-		_moved_step = _step_number;
-	}
-	_params.pool_size = after;
-	const auto resize = [after](auto &r_states) {
-		r_states.resize(size_t(after));
+	const int before = std::exchange(_room, p_slots);
+	const auto resize = [this](auto &r_states, size_t p_for_each = 1) {
+		r_states.resize(p_for_each * size_t(_room));
 		r_states.shrink_to_fit(); // else a smaller pool would save nothing
 	};
 	resize(_times);
@@ -37,20 +81,64 @@ std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 	resize(_forces);
 	resize(_signatures);
 	resize(_signatures_before);
+	resize(_records, 2);
 	for (SlotSet *set : slot_sets()) {
-		set->resize(before, after, set == &_free);
+		set->resize(before, _room, set == &_free);
 	}
-	_slot_of_tile.reserve(after);
+	if (_room >= before) {
+		_slot_of_tile.grow_to(_room);
+		return;
+	}
+	_slot_of_tile.reserve(_room);
 	for (const int slot : _used) {
 		_slot_of_tile.insert(_places[size_t(slot)].tile.x, _places[size_t(slot)].tile.z, slot);
 	}
-	_records = std::vector<GrassSlot>(2 * size_t(after));
+	if (!r_moves.empty()) {
+		_moved_step = _step_number;
+	}
+	forget_step();
+}
+
+// What the last step found is of tiles that have other slots now, or none.
+void TileManager::forget_step() {
 	_record_count = 0;
 	_followers = {};
 	_collider_list.clear();
 	_meetings.forget();
 	_statistics.awake = _used.count();
-	return moves;
+}
+
+// Returns a slot for a tile that wakes: a free one, or a new one, or that of a calm tile. p_wanted: how many slots this step still needs.
+int TileManager::take_slot(size_t p_wanted) {
+	if (_used.count() >= get_limit()) {
+		return take_calmest_slot(p_wanted);
+	}
+	const int slot = _free.take_lowest();
+	if (slot != SlotSet::NONE) {
+		return slot;
+	}
+	std::vector<SlotMove> none;
+	set_room(std::min(room_for(_room + int(p_wanted)), _params.pool_size), none);
+	return _free.take_lowest();
+}
+
+// Tiles that nothing touches count as if out of view: they give way first, as within a field.
+PoolDemand TileManager::find_demand() {
+	PoolDemand demand;
+	demand.most = _params.pool_size;
+	_view.prepare(_grid, _params); // cameras may have moved since the last step
+	for (const int slot : _used) {
+		const TileBounds::Tile tile = _places[size_t(slot)].tile;
+		const bool is_met = _motions[size_t(slot)].met_step == uint32_t(_step_number);
+		demand.tiles[size_t(
+				is_met ? _view.get_band({ tile.x, tile.x + 1, tile.z, tile.z + 1 }, TileParams::HELD_MARGIN) : TileView::UNSEEN)]++;
+	}
+	for (const TileMeetings::Waiting &waiting : _meetings.get_waiting()) {
+		demand.tiles[size_t(waiting.band)]++;
+	}
+	const int others = _meetings.count_refused() - int(_meetings.get_waiting().size());
+	demand.tiles[_view.sees_all() ? 0 : TileView::UNSEEN] += std::max(others, 0);
+	return demand;
 }
 
 // Puts p_count tiles to rest at once, without records: the backend learns of it by r_moves.

@@ -63,8 +63,8 @@ void TileManager::yield_to_waiting() {
 // Finds the calmest p_wanted tiles, calmest last.
 void TileManager::find_yielding(size_t p_wanted) {
 	constexpr size_t SAMPLES = 64;
-	_calm.resize(size_t(_params.pool_size));
-	_yielding.resize(size_t(_params.pool_size));
+	_calm.resize(size_t(_room));
+	_yielding.resize(size_t(_room));
 	size_t count = 0;
 	_unmet.take_difference(_used, _met);
 	for (const int slot : _unmet) {

@@ -48,10 +48,10 @@ private:
 		const auto found = _loaded.find(p_key);
 		return found != _loaded.end() ? found->second : nullptr;
 	}
-	// Returns the bytes of a plot with its pool: the one it has, or the one that it starts with.
+	// Returns the bytes of a plot with the pool that it has now.
 	size_t cost(const PlotKey &p_key) const {
 		const LoadedPlot *plot = loaded(p_key);
-		return _planner.expected(p_key) + (plot != nullptr && plot->pool > 0 ? plot->pool : _needs.pools.quiet_bytes());
+		return _planner.expected(p_key) + (plot != nullptr ? plot->pool : 0);
 	}
 	// Returns the bytes that are left. Plots under the eyes are not limited by this.
 	size_t left() const { return minus(_needs.budget, _bytes + _needs.held_back); }
@@ -64,7 +64,6 @@ private:
 	void hold_under_eyes();
 	void hold_around();
 	void hold_near(std::vector<Candidate> &r_ring);
-	void give_pool(const PlotKey &p_key, size_t p_left);
 	void add_ring(const EyeGroup &p_group, int p_ring);
 	std::vector<Candidate> find_lingering();
 	void find_leaving();
@@ -82,8 +81,7 @@ private:
 	WorldPlan _plan;
 };
 
-// Holds the plots under the eyes whatever the budget is, since grass must not be missing where somebody is. Their pools are allotted before
-// other plots.
+// Holds the plots under the eyes whatever the budget is, since grass must not be missing where somebody is.
 void Draft::hold_under_eyes() {
 	for (const EyeGroup &group : _groups) {
 		if (_grid.has(group.plot) && _judged.insert(group.plot).second) {
@@ -95,29 +93,6 @@ void Draft::hold_under_eyes() {
 	_plan.missing = minus(_bytes, _needs.budget);
 	_plan.is_short = _is_full = _plan.missing > 0;
 	_plan.reach = _plan.is_short ? 0.0 : _plan.reach;
-	for (const PlotKey &key : _plan.wanted) {
-		give_pool(key, minus(_needs.budget, _bytes));
-	}
-}
-
-// Gives a plot a pool if it wants one: at most half of the bytes left, so that the next plot gets some, and never less than it has, unless
-// busy plots may no longer have so much.
-void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
-	const PlotPools &pools = _needs.pools;
-	if (pools.busy <= pools.quiet || !std::ranges::binary_search(_needs.busy, p_key)) {
-		return;
-	}
-	const LoadedPlot *plot = loaded(p_key);
-	const int64_t has = std::clamp(plot != nullptr ? plot->pool_tiles : 0, pools.quiet, pools.busy);
-	const auto more = [&](int64_t p_tiles) { return size_t(std::max<int64_t>(p_tiles - has, 0)) * pools.tile_bytes; };
-	const auto own = [&](int64_t p_tiles) { return size_t(p_tiles - pools.quiet) * pools.tile_bytes; };
-	const size_t most = (p_left + own(has)) / 2; // the same when the plan that gave it the pool is followed
-	int64_t tiles = pools.busy;
-	while (tiles > has && own(tiles) > most) {
-		tiles /= 2;
-	}
-	_plan.pools[p_key] = std::max(tiles, has);
-	_bytes += more(tiles);
 }
 
 // Visits plots in rings around the eyes' own plots, only as many as the budget holds.
@@ -189,7 +164,6 @@ void Draft::hold_near(std::vector<Candidate> &r_ring) {
 		}
 		hold(candidate.key);
 		_plan.wanted.push_back(candidate.key);
-		give_pool(candidate.key, left());
 	}
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decides which plots of a world should be in memory: those under its cameras and its moving bodies, with their pools; then the others
-// around them, nearest first, as many as the budget holds.
+// Decides which plots of a world should be in memory: those under its cameras and its moving bodies, then the others around them, nearest
+// first, as many as the budget holds.
 #pragma once
 
 #include "core/world/eye_groups.h"
@@ -23,26 +23,13 @@ inline constexpr Tunable WORLD_MEMORY_BUDGET{ "memory_budget", "MB", 1.0, 65536.
 struct LoadedPlot {
 	PlotKey key;
 	size_t rest = 0; // bytes without its pool; 0: unknown
-	size_t pool = 0; // bytes of its pool
-	int64_t pool_tiles = 0;
-};
-
-// The pools of plots, in tiles: for plots where nothing moves, and for busy ones.
-struct PlotPools {
-	int64_t quiet = 0, busy = 0;
-	size_t tile_bytes = 0; // bytes for each tile, used or not
-	size_t least_bytes = 0; // that any pool has
-
-	// Returns the bytes of a quiet pool.
-	size_t quiet_bytes() const { return std::max(size_t(quiet) * tile_bytes, least_bytes); }
+	size_t pool = 0; // bytes of the slots for its awake tiles
 };
 
 // The input of a plan.
 struct WorldNeeds {
 	std::span<const WorldEye> eyes; // most important first
-	std::span<const PlotKey> busy; // plots that want a pool, ascending
 	std::span<const LoadedPlot> loaded; // in any order
-	PlotPools pools;
 	size_t budget = 0; // bytes for all plots together
 	size_t held_back = 0; // bytes of the budget reserved for the plots under the eyes
 };
@@ -51,7 +38,6 @@ struct WorldPlan {
 	std::vector<PlotKey> wanted; // and held by the budget: those under the eyes, then the nearest first
 	size_t under_eyes = 0; // number of them that must be in memory, whatever the budget is
 	std::vector<PlotKey> leaving; // in memory and must go, farthest first
-	std::unordered_map<PlotKey, int64_t, PlotHash> pools; // tiles; of wanted plots that want more than a quiet pool
 	// Metres around the eyes within which all wanted plots are held: less than the radius if the budget is too small.
 	double reach = std::numeric_limits<double>::infinity();
 	bool is_short = false; // the budget does not hold everything that is wanted

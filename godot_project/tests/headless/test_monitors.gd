@@ -83,6 +83,8 @@ const COUNTERS: Array[String] = [
 	"builds",
 	"makings",
 	"pool_tiles",
+	"pool_slots",
+	"pool_bytes",
 	"unseen_tile_steps",
 	"unseen_ticks",
 	"wind_updates",

@@ -32,7 +32,7 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 		least = mini(least, now.plots)
 		most = maxi(most, now.memory)
 		for field in world.get_fields():
-			pool = maxi(pool, field.pool_tiles)
+			pool = maxi(pool, field.get_counters().pool_slots)
 			assert_less(field.get_memory_usage(), now.memory + 1, "the world counts what its fields take now")
 	assert_greater(least, 0, "grass stands under the camera and the bodies")
 	assert_less(most, 1e6 * world.memory_budget, "the crowd gets as large a pool as the budget pays for")
@@ -43,7 +43,7 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 		body.free()
 	await settled(world, alone.plots)
 	assert_eq(world.get_statistics().plots, alone.plots, "as before")
-	await wait_until(func() -> bool: return field.pool_tiles < 64, "the pool is small again", true)
+	await wait_until(func() -> bool: return field.get_counters().pool_slots == 0, "the pool is gone again", true)
 	await ticks(20)
 	assert_less(world.get_statistics().memory, 1e6 * world.memory_budget)
 	eye.position.x += 4000.0
@@ -182,29 +182,3 @@ func test_a_warning_of_all_plots_is_given_once() -> void:
 	expect_error("GrassWorld '%s': `plot_scene`: " % world.get_path())
 	await go(world, Vector3(64, 0, 64))
 	assert_greater(world.get_statistics().plots, 4)
-
-
-## One that is fast gets its pool while it is farther away than one that is slow.
-func test_pools_are_ready_before_a_fast_body() -> void:
-	for speed: float in [4.0, 60.0]:
-		var world := add_world({plot_size = 256.0, camera_radius = 300.0})
-		eye.position = Vector3(250, 2, 128)
-		await loaded(world)
-		var body := add_held_body(ball(0.3), Vector3(60, 0.3, 128))
-		var at := 0.0
-		await wait_until(
-			func() -> bool:
-				body.position.x += speed / 60.0
-				at = body.position.x
-				var next := world.get_field(Vector2i(1, 0))
-				return body.position.x > 300.0 or next != null and next.pool_tiles == 128,
-			"the next plot has a pool",
-			true
-		)
-		if speed > 20.0:
-			assert_less(body.position.x, 230.0, "two seconds before")
-		else:
-			assert_greater(body.position.x, 200.0, "no earlier than it must")
-			assert_less(body.position.x, 256.0)
-		body.free()
-		world.free()
