@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/field/pool_texels.h"
-#include "core/lod/cull.h"
+#include "core/lod/field_levels.h"
 #include "core/solver/simulate.h"
 #include "draw/backend.h"
 #include "draw/blade_materials.h"
@@ -53,6 +53,8 @@ public:
 
 private:
 	void choose_tiles(const FieldView &p_view);
+	void make_level(int p_level);
+	LevelSet find_made_levels() const;
 	int find_slot(int p_tile) const; // of a tile in the pool, or GRASS_NO_SLOT
 	void choose_plants(const FieldView &p_view);
 	void update_pool_texture();
@@ -75,7 +77,9 @@ private:
 	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); successive checks that found far too much memory
 	PoolTexels _texels; // of the pool texture; uploaded before the next frame, which may never come (headless)
 	float _share = 1.0f; // of the last step, in this frame
-	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
+	uint64_t _followed = 0; // instance id of the node; 0: none yet
+	godot::Transform3D _transform; // of follow()
+	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels; // each is made when a tile has it
 	TileCull _cull;
 	Plants _plants;
 	PlantCull _plant_cull;
