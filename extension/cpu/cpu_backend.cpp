@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cpu/cpu_backend.h"
 
-#include "draw/blade_mesh.h"
 #include "shared/convert.h"
 #include "shared/parallel.h"
 
@@ -22,6 +21,10 @@ constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with
 // Uploads the instances to the MultiMesh, and makes it larger if needed.
 void show_instances(FieldInstance &r_instance, std::span<const float> p_instances) {
 	const int count = int(p_instances.size()) / GRASS_INSTANCE_FLOATS;
+	r_instance.need(count > 0);
+	if (count == 0) {
+		return;
+	}
 	if (count > r_instance.capacity()) {
 		r_instance.reserve(int(std::bit_ceil(unsigned(count))));
 	}
@@ -106,7 +109,7 @@ void CpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 }
 
 void CpuBackend::draw(const FieldView &p_view) {
-	if (!_levels[0].is_created()) {
+	if (_followed == 0) {
 		return;
 	}
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
@@ -150,6 +153,7 @@ void CpuBackend::choose_plants(const FieldView &p_view) {
 		PlantKind &kind = kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
 		kind.distance *= p_view.plant_reach;
 	}
+	_plants.fit(_setup.cull_field(), p_view, _cover ? _cover->get_extremes() : TileCover::FULL);
 	_plant_cull.choose(
 			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, kinds);
 	_statistics.drawn_plants = _statistics.left_out_plants = 0;
@@ -162,11 +166,16 @@ void CpuBackend::choose_plants(const FieldView &p_view) {
 }
 
 void CpuBackend::choose_tiles(const FieldView &p_view) {
-	_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); });
+	const LevelSet levels = find_levels(_setup.cull_field(), p_view, _cover ? _cover->get_extremes() : TileCover::FULL);
+	_cull.choose(
+			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, levels);
 	_statistics.left_out_tiles = _cull.get_left_out();
 	_statistics.drawn_blades = _cull.get_blades()[0];
 	_statistics.shadow_blades = _cull.get_blades()[1];
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		if (_cull.get_count(level) > 0) {
+			make_level(level);
+		}
 		show_instances(_levels[size_t(level)], _cull.get_instances(level));
 		_statistics.drawn_tiles[size_t(level)] = _cull.get_count(level);
 	}
@@ -205,18 +214,25 @@ void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 }
 
 void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		FieldInstance &instance = _levels[size_t(level)];
-		if (!instance.is_created()) {
-			Ref<ArrayMesh> mesh;
-			mesh.instantiate();
-			add_lod_surface(mesh, level, _materials.level(level), _setup.card_size > 0.0f);
-			instance.create(mesh, FIRST_INSTANCES, Written::BY_CPU, field_bounds(_setup, _cover.get()),
-					level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
-		}
-		instance.follow(p_node, p_transform);
+	_followed = p_node->get_instance_id();
+	_transform = p_transform;
+	for (FieldInstance &level : _levels) {
+		level.follow(p_node, p_transform);
 	}
 	_plants.follow(p_node, p_transform);
+}
+
+// Makes the MultiMesh of a level when the first tile has it.
+void CpuBackend::make_level(int p_level) {
+	FieldInstance &instance = _levels[size_t(p_level)];
+	GeometryInstance3D *node = Object::cast_to<GeometryInstance3D>(ObjectDB::get_instance(_followed));
+	if (!instance.is_created() && node != nullptr) {
+		const bool is_seen = p_level < GRASS_LOD_LEVELS;
+		instance.create(shared_blade_mesh(LevelSet(1) << p_level, _setup.card_size > 0.0f),
+				is_seen ? _materials.picture() : _materials.shadows(), FIRST_INSTANCES, Written::BY_CPU, field_bounds(_setup, _cover.get()),
+				is_seen ? Role::PICTURE : Role::SHADOWS);
+		instance.follow(node, _transform);
+	}
 }
 
 std::vector<SimulatedKnots> CpuBackend::find_knots(std::span<const WantedBlade> p_blades) {
@@ -239,6 +255,14 @@ BackendStatistics CpuBackend::get_statistics() {
 	return statistics;
 }
 
+LevelSet CpuBackend::find_made_levels() const {
+	LevelSet made = 0;
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		made |= _levels[size_t(level)].is_created() ? LevelSet(1) << level : 0;
+	}
+	return made;
+}
+
 // Nothing for unused tiles of the pool: memory is allocated with the tiles that wake.
 BackendMemory CpuBackend::get_memory() const {
 	constexpr int64_t ROW_BYTES = PoolTexels::ROW_TEXELS * 8;
@@ -249,7 +273,7 @@ BackendMemory CpuBackend::get_memory() const {
 	const int64_t pool = _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
 			int64_t(_pool_rows) * ROW_BYTES; // visible rows are in a texture too
 	memory.pool = _pool.get_size() > 0 ? pool : 0; // not the row of an empty texture
-	memory.all = memory.shared + pool + mesh_bytes(_setup.card_size > 0.0f) + _plants.get_memory_usage() +
+	memory.all = memory.shared + pool + mesh_bytes(find_made_levels(), _setup.card_size > 0.0f) + _plants.get_memory_usage() +
 			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
 					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));
 	for (const FieldInstance &level : _levels) {

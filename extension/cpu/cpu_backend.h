@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/field/pool_texels.h"
-#include "core/lod/cull.h"
+#include "core/lod/field_levels.h"
 #include "core/solver/simulate.h"
 #include "draw/backend.h"
 #include "draw/blade_materials.h"
@@ -52,6 +52,8 @@ public:
 
 private:
 	void choose_tiles(const FieldView &p_view);
+	void make_level(int p_level);
+	LevelSet find_made_levels() const;
 	int find_slot(int p_tile) const; // of a tile in the pool, or GRASS_NO_SLOT
 	void choose_plants(const FieldView &p_view);
 	void update_pool_texture();
@@ -72,7 +74,9 @@ private:
 	int _pool_rows = 0; // of the pool texture
 	PoolTexels _texels; // of the pool texture; uploaded before the next frame, which may never come (headless)
 	float _share = 1.0f; // of the last step, in this frame
-	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
+	uint64_t _followed = 0; // instance id of the node; 0: none yet
+	godot::Transform3D _transform; // of follow()
+	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels; // each is made when a tile has it
 	TileCull _cull;
 	Plants _plants;
 	PlantCull _plant_cull;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "draw/blade_materials.h"
 
-#include "draw/blade_mesh.h"
 #include "render_shaders.gen.h"
 
 using namespace godot;
@@ -9,16 +8,8 @@ using namespace godot;
 namespace grass {
 
 BladeMaterials::BladeMaterials() {
-	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		const bool first = level == 0 || level == GRASS_LOD_LEVELS;
-		if (first || lod_segments(level) != lod_segments(level - 1)) {
-			Ref<ShaderMaterial> material;
-			material.instantiate();
-			material->set_shader_parameter("segments", lod_segments(level));
-			_materials.push_back({ material, level < GRASS_LOD_LEVELS });
-		}
-		_levels[size_t(level)] = _materials.back().material;
-	}
+	_picture.instantiate();
+	_shadows.instantiate();
 }
 
 ShaderText BladeMaterials::blade_text(const Look &p_look) {
@@ -30,15 +21,13 @@ ShaderText BladeMaterials::shadow_text(const Look &p_look) { // cards cast no sh
 }
 
 void BladeMaterials::set_look(const Look &p_look) {
-	for (const Made &made : _materials) {
-		made.material->set_shader(shared_shader(made.is_seen ? blade_text(p_look) : shadow_text(p_look)));
-	}
+	_picture->set_shader(shared_shader(blade_text(p_look)));
+	_shadows->set_shader(shared_shader(shadow_text(p_look)));
 }
 
 void BladeMaterials::set(const StringName &p_uniform, const Variant &p_value) {
-	for (const Made &made : _materials) {
-		made.material->set_shader_parameter(p_uniform, p_value);
-	}
+	_picture->set_shader_parameter(p_uniform, p_value);
+	_shadows->set_shader_parameter(p_uniform, p_value);
 }
 
 } // namespace grass

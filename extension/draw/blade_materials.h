@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The materials of blades, and of the meshes that cast their shadows: one for each number of segments (the `segments` uniform).
+// The materials of a field's blades, and of those that cast its shadows, at all levels of detail.
 #pragma once
 
-#include "core/base/layout.h"
 #include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/variant/string_name.hpp>
-
-#include <array>
-#include <vector>
 
 namespace grass {
 
@@ -21,18 +17,13 @@ public:
 	static ShaderText blade_text(const Look &p_look);
 	static ShaderText shadow_text(const Look &p_look);
 	void set_look(const Look &p_look);
-	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
-	// Sets a uniform in all materials; a shader ignores a uniform that it does not have.
+	const godot::Ref<godot::ShaderMaterial> &picture() const { return _picture; }
+	const godot::Ref<godot::ShaderMaterial> &shadows() const { return _shadows; }
+	// Sets a uniform in both materials; a shader ignores a uniform that it does not have.
 	void set(const godot::StringName &p_uniform, const godot::Variant &p_value);
 
 private:
-	struct Made {
-		godot::Ref<godot::ShaderMaterial> material;
-		bool is_seen; // otherwise it only casts shadows
-	};
-
-	std::vector<Made> _materials;
-	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_ALL_LEVELS> _levels; // each is one of _materials
+	godot::Ref<godot::ShaderMaterial> _picture, _shadows;
 };
 
 } // namespace grass

@@ -3,8 +3,11 @@
 // (contract in shaders/draw/pose.gdshaderinc), so the mesh needs no vertex data.
 #pragma once
 
+#include "core/lod/lod.h"
+
 #include <godot_cpp/classes/array_mesh.hpp>
-#include <godot_cpp/classes/material.hpp>
+
+#include <memory>
 
 namespace grass {
 
@@ -13,10 +16,13 @@ int lod_segments(int p_level); // segments of each blade
 // Counts quads, one triangle at the tip and, in fields with cards, a card at levels where cards are large enough to see.
 int lod_triangles_per_blade(int p_level, bool p_cards);
 
-// Appends the level's mesh to p_mesh as a surface.
-void add_lod_surface(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_level, const godot::Ref<godot::Material> &p_material, bool p_cards);
+// A mesh that instances share, without materials of its own.
+using SharedMesh = std::shared_ptr<const godot::Ref<godot::ArrayMesh>>;
 
-// Returns the bytes of the 32-bit indices in the meshes of all levels.
-int64_t mesh_bytes(bool p_cards);
+// Returns the mesh with these levels as its surfaces, which must be some. All fields share it.
+SharedMesh shared_blade_mesh(LevelSet p_levels, bool p_cards);
+
+// Returns the bytes of the 32-bit indices of these levels.
+int64_t mesh_bytes(LevelSet p_levels, bool p_cards);
 
 } // namespace grass

@@ -7,7 +7,8 @@ using namespace godot;
 
 namespace grass {
 
-void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, Written p_written, const AABB &p_bounds, Role p_role) {
+void FieldInstance::create(const SharedMesh &p_mesh, const Ref<ShaderMaterial> &p_material, int p_capacity, Written p_written,
+		const AABB &p_bounds, Role p_role) {
 	free();
 	RenderingServer *server = RenderingServer::get_singleton();
 	_mesh = p_mesh;
@@ -15,20 +16,38 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, Written
 	_multimesh = server->multimesh_create();
 	// Set the data before the mesh: in set_mesh the engine makes the command buffer from the surfaces that it has at that time.
 	reserve(p_capacity);
-	server->multimesh_set_mesh(_multimesh, _mesh->get_rid());
+	server->multimesh_set_mesh(_multimesh, (*_mesh)->get_rid());
 	server->multimesh_set_custom_aabb(_multimesh, p_bounds);
 	if (p_written == Written::BY_CPU) {
 		server->multimesh_set_visible_instances(_multimesh, 0);
 	}
 	_instance = server->instance_create();
 	server->instance_set_base(_instance, _multimesh);
+	if (p_material.is_valid()) {
+		server->instance_geometry_set_material_override(_instance, p_material->get_rid());
+	}
 	server->instance_geometry_set_cast_shadows_setting(_instance,
 			p_role == Role::PICTURE        ? RenderingServer::SHADOW_CASTING_SETTING_OFF
 					: p_role == Role::BOTH ? RenderingServer::SHADOW_CASTING_SETTING_ON
 										   : RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
 	_casting = GeometryInstance3D::SHADOW_CASTING_SETTING_ON;
 	_role = p_role;
+	_is_needed = true;
 	_follower.reset();
+}
+
+void FieldInstance::set_mesh(const SharedMesh &p_mesh) {
+	if (is_created() && _mesh != p_mesh) {
+		RenderingServer::get_singleton()->multimesh_set_mesh(_multimesh, (*p_mesh)->get_rid());
+		_mesh = p_mesh; // releases the previous one
+	}
+}
+
+void FieldInstance::need(bool p_is_needed) {
+	if (is_created() && _is_needed != p_is_needed) {
+		_is_needed = p_is_needed;
+		_follower.show(_instance, _is_needed && !_is_unwanted);
+	}
 }
 
 void FieldInstance::reserve(int p_capacity) {
@@ -49,14 +68,14 @@ void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 		RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(
 				_instance, RenderingServer::ShadowCastingSetting(int(setting)));
 	}
-	const bool unwanted = _role == Role::BOTH ? false
-			: _role == Role::PICTURE          ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
-											  : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
+	_is_unwanted = _role == Role::BOTH ? false
+			: _role == Role::PICTURE   ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
+									   : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
 	Transform3D transform = p_transform;
 	if (p_is_flipped) {
 		transform.basis.scale_local(Vector3(1, -1, 1));
 	}
-	_follower.follow(_instance, p_node, transform, !unwanted);
+	_follower.follow(_instance, p_node, transform, _is_needed && !_is_unwanted);
 }
 
 void FieldInstance::set_bounds(const AABB &p_bounds) {
@@ -81,7 +100,7 @@ void FieldInstance::free() {
 	server->free_rid(_instance);
 	server->free_rid(_multimesh);
 	_instance = _multimesh = RID();
-	_mesh.unref();
+	_mesh.reset();
 }
 
 } // namespace grass

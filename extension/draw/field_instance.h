@@ -3,10 +3,11 @@
 // (CPU backend).
 #pragma once
 
+#include "draw/blade_mesh.h"
 #include "draw/node_follower.h"
 
-#include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
@@ -26,7 +27,13 @@ public:
 	FieldInstance &operator=(const FieldInstance &) = delete;
 	~FieldInstance() { free(); }
 
-	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, Written p_written, const godot::AABB &p_bounds, Role p_role);
+	// p_material: of all surfaces, must live as long; null: the mesh has materials of its own.
+	void create(const SharedMesh &p_mesh, const godot::Ref<godot::ShaderMaterial> &p_material, int p_capacity, Written p_written,
+			const godot::AABB &p_bounds, Role p_role);
+	// Draws another mesh. A pass must write the commands of its surfaces again.
+	void set_mesh(const SharedMesh &p_mesh);
+	// Sets whether there is anything to draw in this frame, in which follow() was called; without a call there is.
+	void need(bool p_is_needed);
 	// Makes room for more instances if the CPU writes them. Their contents are lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers and shadows. Must be called when any of them may have changed. p_is_flipped:
@@ -42,11 +49,12 @@ public:
 	bool is_created() const { return _multimesh.is_valid(); }
 
 private:
-	godot::Ref<godot::ArrayMesh> _mesh;
+	SharedMesh _mesh;
 	godot::RID _multimesh, _instance;
 	int _capacity = 0;
 	Written _written = Written::BY_CPU;
 	Role _role = Role::PICTURE;
+	bool _is_needed = true, _is_unwanted = false; // by what is to draw; by the node's shadows
 	godot::GeometryInstance3D::ShadowCastingSetting _casting = godot::GeometryInstance3D::SHADOW_CASTING_SETTING_ON; // of Role::BOTH
 	NodeFollower _follower;
 };

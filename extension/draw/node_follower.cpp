@@ -13,7 +13,8 @@ void NodeFollower::follow(const RID &p_instance, GeometryInstance3D *p_node, con
 	State now;
 	now.scenario = in_world ? p_node->get_world_3d()->get_scenario() : RID();
 	now.transform = p_transform;
-	now.is_visible = p_is_wanted && in_world && p_node->is_visible_in_tree();
+	_is_node_visible = in_world && p_node->is_visible_in_tree();
+	now.is_visible = p_is_wanted && _is_node_visible;
 	now.layers = p_node->get_layer_mask();
 	now.transparency = p_node->get_transparency();
 	now.takes_probes = p_node->get_gi_mode() == GeometryInstance3D::GI_MODE_DYNAMIC;
@@ -34,6 +35,14 @@ void NodeFollower::follow(const RID &p_instance, GeometryInstance3D *p_node, con
 	_told = now;
 	_is_known = true;
 	_updates++;
+}
+
+void NodeFollower::show(const RID &p_instance, bool p_is_wanted) {
+	const bool is_visible = p_is_wanted && _is_node_visible;
+	if (_is_known && _told.is_visible != is_visible) {
+		RenderingServer::get_singleton()->instance_set_visible(p_instance, is_visible);
+		_told.is_visible = is_visible;
+	}
 }
 
 } // namespace grass

@@ -16,7 +16,6 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 		Ref<ShaderMaterial> &material = materials.emplace_back();
 		material.instantiate();
 		material->set_shader(shared_shader(Plants::text(p_features)));
-		material->set_shader_parameter("segments", GRASS_SEGMENTS);
 		material->set_shader_parameter("plant_species", p_species);
 		material->set_shader_parameter("plant_color", surface.color);
 		material->set_shader_parameter("plant_scissor", surface.scissor);
@@ -50,7 +49,8 @@ void Plants::set(
 		for (size_t s = 0; s < plant.materials.size(); s++) {
 			mesh->surface_set_material(int32_t(s), plant.materials[s]);
 		}
-		plant.instance.create(mesh, p_rooms[species], p_indirect ? Written::BY_GPU : Written::BY_CPU, p_bounds, Role::BOTH);
+		plant.instance.create(std::make_shared<const Ref<ArrayMesh>>(mesh), Ref<ShaderMaterial>(), p_rooms[species],
+				p_indirect ? Written::BY_GPU : Written::BY_CPU, p_bounds, Role::BOTH);
 	}
 }
 
@@ -65,6 +65,12 @@ void Plants::set_uniform(const StringName &p_name, const Variant &p_value) {
 void Plants::set_bounds(const AABB &p_bounds) {
 	for (const auto &plant : _plants) {
 		plant->instance.set_bounds(p_bounds);
+	}
+}
+
+void Plants::fit(const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground) {
+	for (const auto &plant : _plants) {
+		plant->instance.need(is_within(p_field, p_view, p_ground, plant->drawn.distance * p_view.plant_reach));
 	}
 }
 

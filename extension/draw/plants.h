@@ -2,6 +2,7 @@
 // Draws a field's plants: for each species with a mesh a MultiMesh, whose instances a backend writes, and materials.
 #pragma once
 
+#include "core/lod/field_levels.h"
 #include "draw/drawn_plant.h"
 #include "draw/field_instance.h"
 #include "draw/shared_shader.h"
@@ -33,6 +34,8 @@ public:
 	// Sets a uniform of the materials. A shader ignores a uniform that it does not have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_bounds(const godot::AABB &p_bounds);
+	// Draws no plants that no camera is near enough to see. p_ground: see find_levels().
+	void fit(const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_flipped = false);
 
 	bool is_empty() const { return _plants.empty(); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
-#include "draw/blade_mesh.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
@@ -30,7 +29,7 @@ GrassCamera to_record(const ViewCamera &p_camera) {
 	return record;
 }
 
-ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
+ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup, LevelSet p_levels, LevelSet p_surfaces) {
 	ViewRecords records;
 	GrassView &view = records.view;
 	const BladeSize size = p_setup.blade_size();
@@ -44,20 +43,11 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 		view.falls[i] = { p_view.falls[i].x(), p_view.falls[i].y(), p_view.falls[i].z(), 0.0f };
 	}
 	view.counts = { uint32_t(p_view.cameras.size()), uint32_t(falls), p_setup.seed, p_setup.is_mapped ? 1u : 0u };
+	view.levels = { uint32_t(p_levels), uint32_t(p_levels >> 32), uint32_t(p_surfaces), uint32_t(p_surfaces >> 32) };
 	for (const ViewCamera &camera : p_view.cameras) {
 		records.cameras.push_back(to_record(camera));
 	}
 	return records;
-}
-
-// Returns a mesh with the levels from p_first to p_end as its surfaces.
-Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end, bool p_cards) {
-	Ref<ArrayMesh> mesh;
-	mesh.instantiate();
-	for (int level = p_first; level < p_end; level++) {
-		add_lod_surface(mesh, level, p_materials.level(level), p_cards);
-	}
-	return mesh;
 }
 
 } // namespace
@@ -91,10 +81,10 @@ GpuBackend::~GpuBackend() {
 void GpuBackend::set_look(const Look &p_look) {
 	_materials.set_look(p_look);
 	if (!_picture.is_created()) { // an instance without our shaders would be drawn with the engine's own
-		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), Written::LISTED,
-				_bounds, Role::PICTURE);
-		_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), Written::LISTED,
-				_bounds, Role::SHADOWS);
+		_picture.create(
+				find_mesh(PICTURE_LEVELS), _materials.picture(), _setup.instance_capacity(), Written::LISTED, _bounds, Role::PICTURE);
+		_shadows.create(find_mesh(CASTING_LEVELS), _materials.shadows(), _setup.shadow_capacity(), Written::LISTED, _bounds, Role::SHADOWS);
+		_is_fitted = false;
 		set_bounds(_bounds);
 	}
 }
@@ -128,6 +118,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	}
 	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
+	_is_fitted = false;
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // replies still on their way belong to the old field
 	if (has_other_blades) { // plants are set again
@@ -164,11 +155,32 @@ void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
-	ViewRecords view = to_records(p_view, _setup);
+	fit_meshes(p_view);
+	ViewRecords view = to_records(p_view, _setup, _levels, _surfaces);
 	view.painted = _painted;
 	view.plant_reach = p_view.plant_reach;
 	post([records = std::move(view), multimeshes = multimeshes(), measure = _measure](
 				 GpuField &r_field) { r_field.draw(records, multimeshes, measure); });
+}
+
+SharedMesh GpuBackend::find_mesh(LevelSet p_all) const {
+	return shared_blade_mesh(_surfaces & p_all, _setup.card_size > 0.0f);
+}
+
+// Gives the meshes the surfaces that p_view needs, and draws no instance that could not show anything.
+void GpuBackend::fit_meshes(const FieldView &p_view) {
+	if (_is_fitted && _view == p_view) {
+		return;
+	}
+	_is_fitted = true;
+	_view = p_view;
+	_levels = find_levels(_setup.cull_field(), p_view, _ground);
+	for (const auto &[instance, all] : { std::pair{ &_picture, PICTURE_LEVELS }, std::pair{ &_shadows, CASTING_LEVELS } }) {
+		_surfaces = (_surfaces & ~all) | find_surfaces(_surfaces, _levels, all);
+		instance->set_mesh(find_mesh(all));
+		instance->need((_levels & all) != 0);
+	}
+	_plants.fit(_setup.cull_field(), p_view, _ground);
 }
 
 void GpuBackend::show_between(bool p_is_between, float p_share) {
@@ -220,6 +232,8 @@ void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 
 void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
 	set_bounds(field_bounds(_setup, p_cover.get()));
+	_ground = p_cover->get_extremes();
+	_is_fitted = false;
 	if (p_changed.count() > 0) { // whole rows, with a single copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
@@ -262,7 +276,7 @@ BackendMemory GpuBackend::get_memory() const {
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_LISTED_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
 	memory.pool = _report->statistics.pool_bytes;
-	memory.all = memory.shared + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) +
+	memory.all = memory.shared + instances + _plants.get_memory_usage() + mesh_bytes(_surfaces, _setup.card_size > 0.0f) +
 			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
 	return memory;
 }

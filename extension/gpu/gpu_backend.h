@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/field/knot_watch.h"
+#include "core/lod/field_levels.h"
 #include "draw/backend.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
@@ -67,6 +68,8 @@ private:
 	FieldMultiMeshes multimeshes() const;
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
+	SharedMesh find_mesh(LevelSet p_all) const;
+	void fit_meshes(const FieldView &p_view);
 	void take_knots();
 
 	FieldSetup _setup;
@@ -78,6 +81,11 @@ private:
 	godot::Ref<godot::Texture2DRD> _drawn_texture; // GRASS_CULL_DRAWN
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
+	// Of the last frame: the view; the levels that tiles may have in it; those that the meshes have, of picture and shadows at least one.
+	FieldView _view;
+	bool _is_fitted = false; // to that view
+	LevelSet _levels = 0, _surfaces = LevelSet(1) << (GRASS_LOD_LEVELS - 1) | LevelSet(1) << (GRASS_ALL_LEVELS - 1);
+	TileCover::Tile _ground = TileCover::FULL; // see find_levels()
 	Plants _plants;
 	PaintedSpecies _painted; // for the pass that chooses plants, if there are any
 	godot::AABB _bounds; // of the blades

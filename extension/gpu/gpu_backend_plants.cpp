@@ -47,6 +47,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	}
 	_plants.set(p_plants, rooms, shader_features(_setup), true, _bounds);
 	set_bounds(_bounds);
+	_is_fitted = false;
 	_painted = {};
 	set_uniform("patch_knots", _patch_texture);
 	set_uniform("pool_knots", _pool_texture);

@@ -132,7 +132,7 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 	Choice choice = Choice(-1, p_need.blades < 1.0 ? p_need.blades : shown, grass_lod_shown(p_need.covering, p_hash), 0.0, 0u);
 	if (shown > 0.0) {
 		int segments = min(grass_lod_segments(p_need.segments), GRASS_SEGMENTS_OF[p_first]);
-		choice.level = grass_lod_level(shown, segments, p_first, p_end);
+		choice.level = grass_lod_level(shown, segments, p_first, p_end, view.levels.x, view.levels.y);
 		choice.morph = grass_lod_morph(p_need.segments, segments);
 	}
 	return choice;
@@ -185,14 +185,21 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
+// The number of levels before p_level that have a surface.
+uint count_surfaces(int p_level) {
+	uint low = p_level < 32 ? (1u << uint(p_level)) - 1u : 0xffffffffu;
+	uint high = p_level < 32 ? 0u : (1u << uint(p_level - 32)) - 1u;
+	return uint(bitCount(view.levels.z & low) + bitCount(view.levels.w & high));
+}
+
 // Writes how many instances a level has, and where they begin. Its command's firstInstance stays 0.
 void write_command(int p_level) {
-	bool casts = p_level >= GRASS_LOD_LEVELS;
+	bool casts = p_level >= GRASS_LOD_LEVELS, has_surface = grass_has_level(view.levels.z, view.levels.w, p_level);
 	uint count = group_counted[p_level];
-	uint command = uint(casts ? p_level - GRASS_LOD_LEVELS : p_level) * uint(GRASS_COMMAND_WORDS);
-	if (casts) {
+	uint command = (count_surfaces(p_level) - (casts ? count_surfaces(GRASS_LOD_LEVELS) : 0u)) * uint(GRASS_COMMAND_WORDS);
+	if (has_surface && casts) {
 		shadow_commands[command + 1u] = count; // instanceCount
-	} else {
+	} else if (has_surface) {
 		commands[command + 1u] = count;
 	}
 	imageStore(drawn_tiles, ivec2(p_level, 0), vec4(float(first_place(p_level)), 0.0, 0.0, 0.0));

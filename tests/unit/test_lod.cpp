@@ -57,7 +57,7 @@ TEST_CASE("lod: the level's mesh always holds the blades, has the segments, and 
 				continue;
 			}
 			for (float blades = 1.0f; blades <= 64.0f; blades += 0.25f) {
-				const int level = grass_lod_level(blades, segments, first, end);
+				const int level = find_lod_level(blades, segments, first, end, ALL_LEVELS);
 				REQUIRE(level >= first);
 				REQUIRE(level < end);
 				const LodLevel mesh = get_lod_level(level);

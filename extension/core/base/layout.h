@@ -67,12 +67,13 @@ static_assert(offsetof(GrassCamera, planes) == 0);
 static_assert(offsetof(GrassCamera, eye) == 96);
 static_assert(offsetof(GrassCamera, pixel) == 112);
 
-static_assert(sizeof(GrassView) == 144 && std::is_trivially_copyable_v<GrassView>);
+static_assert(sizeof(GrassView) == 160 && std::is_trivially_copyable_v<GrassView>);
 static_assert(offsetof(GrassView, lod) == 0);
 static_assert(offsetof(GrassView, field) == 16);
 static_assert(offsetof(GrassView, blades) == 32);
 static_assert(offsetof(GrassView, shadow) == 48);
 static_assert(offsetof(GrassView, falls) == 64);
 static_assert(offsetof(GrassView, counts) == 128);
+static_assert(offsetof(GrassView, levels) == 144);
 
 } // namespace grass

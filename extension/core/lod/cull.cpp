@@ -26,7 +26,9 @@ bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen
 					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
 }
 
-void TileCull::choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of) {
+void TileCull::choose(
+		const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of, LevelSet p_levels) {
+	_levels = p_levels;
 	for (std::vector<float> &instances : _instances) {
 		instances.clear();
 	}
@@ -79,7 +81,7 @@ void TileCull::add_tile(
 	const float blades = p_need.blades < 1.0f ? p_need.blades : shown;
 	const float covering = grass_lod_shown(p_need.covering, hash);
 	const int segments = std::min(grass_lod_segments(p_need.segments), get_lod_level(p_first).segments);
-	const int level = grass_lod_level(shown, segments, p_first, p_end);
+	const int level = find_lod_level(shown, segments, p_first, p_end, _levels);
 	const int slot = p_slot_of(p_field.grid.get_index(p_x, p_z));
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;

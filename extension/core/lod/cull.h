@@ -39,8 +39,9 @@ class TileCull {
 public:
 	using SlotOf = std::function<int(int)>; // returns a tile's slot in the pool; GRASS_NO_SLOT while it sleeps
 
-	// Chooses the tiles anew. p_cover: null on level ground that is fully covered by grass.
-	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of);
+	// Chooses the tiles anew. p_cover: null on level ground that is fully covered by grass. p_levels: of find_levels().
+	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of,
+			LevelSet p_levels = ALL_LEVELS);
 
 	// The result of the last choice: the instances of one of GRASS_ALL_LEVELS, GRASS_INSTANCE_FLOATS each.
 	std::span<const float> get_instances(int p_level) const { return _instances[size_t(p_level)]; }
@@ -59,6 +60,7 @@ private:
 	int64_t leave_out(int p_first, int p_end, uint32_t p_room, uint32_t p_seed);
 	int64_t count_blades(int p_first, int p_end) const;
 
+	LevelSet _levels = ALL_LEVELS; // to choose from
 	std::array<std::vector<float>, GRASS_ALL_LEVELS> _instances;
 	std::array<int64_t, 2> _blades = {}, _left_out = {};
 };

@@ -21,8 +21,8 @@ namespace glsl {
 } // namespace glsl
 using glsl::grass_far_depth, glsl::grass_far_hidden, glsl::grass_far_meets, glsl::grass_lod_blades, glsl::grass_lod_blades_of_width,
 		glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_ends, glsl::grass_lod_in_sight, glsl::grass_lod_left_out,
-		glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_plant,
-		glsl::grass_lod_plants, glsl::grass_lod_segments, glsl::grass_lod_shown;
+		glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_plant, glsl::grass_lod_plants,
+		glsl::grass_lod_segments, glsl::grass_lod_shown;
 
 // The distance from which at most one eighth of the blades is drawn: the view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
@@ -78,6 +78,16 @@ struct LodLevel {
 
 // Returns level p_level of GRASS_ALL_LEVELS.
 LodLevel get_lod_level(int p_level);
+
+// A set of levels: a bit for each of GRASS_ALL_LEVELS.
+using LevelSet = uint64_t;
+inline constexpr LevelSet ALL_LEVELS = (LevelSet(1) << GRASS_ALL_LEVELS) - 1, PICTURE_LEVELS = (LevelSet(1) << GRASS_LOD_LEVELS) - 1,
+						  CASTING_LEVELS = ALL_LEVELS & ~PICTURE_LEVELS;
+
+// Returns grass_lod_level() of a set.
+inline int find_lod_level(float p_blades, int p_segments, int p_first, int p_end, LevelSet p_levels) {
+	return glsl::grass_lod_level(p_blades, p_segments, p_first, p_end, uint32_t(p_levels), uint32_t(p_levels >> 32));
+}
 
 // Returns how many ranks, counted from the first, have room for all of their tiles, as fit() in room.inc does. p_tiles: number in each
 // rank.

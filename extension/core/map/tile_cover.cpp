@@ -25,13 +25,13 @@ void TileCover::reset(const TileGrid &p_grid) {
 	_grid = p_grid;
 	_tiles.assign(size_t(p_grid.get_tile_count()), {});
 	_bare = p_grid.get_tile_count();
-	_low = _high = 0.0f;
+	_extremes = FULL;
 }
 
 void TileCover::widen(const Tile &p_tile) {
 	if (!p_tile.is_bare()) {
-		_low = std::min(_low, p_tile.low);
-		_high = std::max(_high, p_tile.high);
+		_extremes = { std::min(_extremes.low, p_tile.low), std::max(_extremes.high, p_tile.high), std::min(_extremes.grown, p_tile.grown),
+			std::min(_extremes.cut, p_tile.cut), std::max(_extremes.slope, p_tile.slope) };
 	}
 }
 
@@ -46,13 +46,13 @@ TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region
 			Tile &tile = _tiles[size_t(_grid.get_index(x, z))];
 			_bare -= tile.is_bare() ? 1 : 0;
 			const Tile before = std::exchange(tile, find(p_layers, columns[size_t(x - range.x_begin)], rows[size_t(z - range.z_begin)]));
-			has_shrunk = has_shrunk || (!before.is_bare() && before != tile && (before.low == _low || before.high == _high));
+			has_shrunk = has_shrunk || (!before.is_bare() && before != tile && (before.low == get_low() || before.high == get_high()));
 			_bare += tile.is_bare() ? 1 : 0;
 			widen(tile);
 		}
 	}
 	if (has_shrunk) {
-		_low = _high = 0.0f;
+		_extremes = FULL;
 		for (const Tile &tile : _tiles) {
 			widen(tile);
 		}

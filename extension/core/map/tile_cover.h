@@ -34,8 +34,11 @@ public:
 	const Tile &get(int p_x, int p_z) const { return _tiles[size_t(_grid.get_index(p_x, p_z))]; }
 	std::span<const Tile> get_tiles() const { return _tiles; } // by index
 	int get_bare_count() const { return _bare; }
-	float get_low() const { return _low; } // of all ground, including the field's plane
-	float get_high() const { return _high; }
+	float get_low() const { return _extremes.low; } // of all ground, including the field's plane
+	float get_high() const { return _extremes.high; }
+	// Returns bounds of all tiles that are not bare: of the ground, and the least grown, the shortest and the steepest there may be. Bare
+	// if all of them are.
+	Tile get_extremes() const { return _bare < int(_tiles.size()) ? _extremes : Tile(); }
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
@@ -58,7 +61,7 @@ private:
 	TileGrid _grid;
 	std::vector<Tile> _tiles;
 	int _bare = 0;
-	float _low = 0.0f, _high = 0.0f;
+	Tile _extremes = FULL;
 };
 
 } // namespace grass
