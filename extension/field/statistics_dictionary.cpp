@@ -100,6 +100,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["mixes"] = backend.mixes;
 	result["knots_age"] = backend.knots_age;
 	result["culls"] = backend.culls;
+	result["render_jobs"] = backend.render_jobs;
 	result["instance_updates"] = p_statistics.instance_updates;
 	result["drawn_plants"] = backend.drawn_plants;
 	result["left_out_plants"] = backend.left_out_plants;

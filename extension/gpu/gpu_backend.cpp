@@ -155,12 +155,18 @@ void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
+	const bool is_same = _is_settled && _is_fitted && _view == p_view && _report->settled == _frames;
+	if (is_same && !_measure && !_has_motion) {
+		return;
+	}
 	fit_meshes(p_view);
 	ViewRecords view = to_records(p_view, _setup, _levels, _surfaces);
 	view.painted = _painted;
 	view.plant_reach = p_view.plant_reach;
+	view.number = ++_frames;
 	post([records = std::move(view), multimeshes = multimeshes(), measure = _measure](
 				 GpuField &r_field) { r_field.draw(records, multimeshes, measure); });
+	_is_settled = true;
 }
 
 SharedMesh GpuBackend::find_mesh(LevelSet p_all) const {
@@ -260,6 +266,7 @@ BackendStatistics GpuBackend::get_statistics() {
 	take_knots();
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
+	statistics.render_jobs = _render_jobs;
 	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates() + _plants.get_updates();
 	statistics.compiling = CompileQueue::get().count_compiling();
 	statistics.knots_read = _knots_read;

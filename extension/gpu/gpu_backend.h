@@ -63,6 +63,8 @@ public:
 private:
 	// Runs p_job(field) on the render thread. What it captures must be a copy.
 	template <typename F> void post(F &&p_job) {
+		_render_jobs++;
+		_is_settled = false;
 		RenderQueue::get_singleton()->post([field = _field, job = std::forward<F>(p_job)]() mutable { job(*field); });
 	}
 	FieldMultiMeshes multimeshes() const;
@@ -84,6 +86,9 @@ private:
 	// Of the last frame: the view; the levels that tiles may have in it; those that the meshes have, of picture and shadows at least one.
 	FieldView _view;
 	bool _is_fitted = false; // to that view
+	bool _is_settled = false; // nothing was posted since that frame
+	uint64_t _frames = 0; // drawn
+	int64_t _render_jobs = 0;
 	LevelSet _levels = 0, _surfaces = LevelSet(1) << (GRASS_LOD_LEVELS - 1) | LevelSet(1) << (GRASS_ALL_LEVELS - 1);
 	TileCover::Tile _ground = TileCover::FULL; // see find_levels()
 	Plants _plants;

@@ -31,6 +31,7 @@ void GpuBackend::set_map(const MapBinding &p_map) {
 	Backend::set_map(p_map);
 	if (!_plants.is_empty()) {
 		_painted = { p_map.pages, p_map.species, p_map.origin };
+		_is_settled = false;
 	}
 }
 

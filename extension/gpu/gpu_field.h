@@ -17,6 +17,7 @@
 #include <godot_cpp/classes/texture2drd.hpp>
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -48,6 +49,7 @@ struct ViewRecords {
 	std::vector<GrassCamera> cameras;
 	PaintedSpecies painted; // for fields with plants and a map
 	float plant_reach = 1.0f; // see FieldView
+	uint64_t number = 0; // of the frame among those of the field
 };
 
 // The MultiMeshes that draw a field.
@@ -63,6 +65,7 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
+	std::atomic<uint64_t> settled = 0; // ViewRecords::number of the last frame that found everything up to date
 };
 
 class GpuField {

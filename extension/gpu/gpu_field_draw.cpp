@@ -74,6 +74,9 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 	}
 	const bool has_plants = bind_plants(p_records);
 	if (uploaded == 0 && !_table_changed && !_cull.has_changed() && !(has_plants && _plants.has_changed())) {
+		if (has_plants || _plants.is_empty()) {
+			_report->settled = p_records.number;
+		}
 		return; // the same view of the same tiles: the MultiMeshes are up to date
 	}
 	_table_changed = false;

@@ -23,6 +23,7 @@ struct BackendStatistics {
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, except patch and MultiMesh
 	int64_t pool_bytes = 0; // now: the part of them that grows with the pool
 	int64_t culls = 0; // culling passes
+	int64_t render_jobs = 0; // GPU: jobs given to the render thread
 	int64_t mixes = 0; // frames that mixed the offsets of two steps
 	int64_t instance_updates = 0; // changes of the node that were passed to the renderer: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.

@@ -10,10 +10,12 @@ namespace grass {
 
 namespace {
 
+using glsl::GRASS_BLADES_OF, glsl::GRASS_SEGMENTS_OF;
+
 // Bounds are wider by this share, and distances by so many metres as well, than they are: a card rounds otherwise than we do.
 constexpr float SLACK = 1e-3f, SLACK_METRES = 0.01f;
 // Needs are bounded in rings around a camera, each so many times as wide as the one within it. More: looser bounds.
-constexpr float RING = 1.2f;
+constexpr float RING = 1.4f;
 // A level is left out if drawing the tiles of the whole field with its next finer mesh takes at most so many vertices more: then its draw
 // would cost more than they do.
 constexpr int64_t SPARED_VERTICES = 4096;
@@ -126,10 +128,12 @@ LevelSet levels_of(const NeedRange &p_need, int p_first, int p_end) {
 	const float low = grass_lod_shown(p_need.low.blades, p_need.low.blades < 1.0f ? 1.0f : 0.0f);
 	LevelSet levels = 0;
 	for (int level = p_first; level < p_end; level++) {
-		const int segments = get_lod_level(level).segments;
-		const bool is_between = level >= find_lod_level(high, segments, p_first, p_end, ALL_LEVELS) &&
-				level <= find_lod_level(low, segments, p_first, p_end, ALL_LEVELS);
-		levels |= segments >= fewest && segments <= most && is_between ? LevelSet(1) << level : 0;
+		const int segments = GRASS_SEGMENTS_OF[level], next = level + 1;
+		if (segments < fewest || segments > most || float(GRASS_BLADES_OF[level]) < low) {
+			continue;
+		}
+		const bool is_last = next == p_end || GRASS_SEGMENTS_OF[next] != segments;
+		levels |= is_last || float(GRASS_BLADES_OF[next]) < high ? LevelSet(1) << level : 0;
 	}
 	return levels;
 }

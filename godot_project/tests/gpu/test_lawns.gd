@@ -48,6 +48,14 @@ func test_64_lawns_take_few_draws() -> void:
 		assert_true(count > 64 and count <= 500, "%d draws, of 64 lawns and their soil, from %s" % [count, view[0]])
 
 
+func test_a_large_field_takes_few_draws() -> void:
+	add_lawns(1, {size = Vector2(128, 128)})
+	look(Vector3(0, 1.7, 66), Vector3(0, 1.7, 0))
+	var count := await draws()
+	print("    one field of 128 m: %d draws" % count)
+	assert_true(count > 20 and count <= 34 + 4 * 17 + 1, "%d draws, with all levels in all cascades at most" % count)
+
+
 func test_far_lawns_take_fewer_draws_than_one_near() -> void:
 	var lawns := add_lawns(1)
 	look(Vector3(0, 1.7, 9), Vector3(0, 1, 0))
@@ -115,3 +123,65 @@ func test_walking_leaves_nothing() -> void:
 		if turn == 1:
 			memory = Performance.get_monitor(Performance.RENDER_VIDEO_MEM_USED)
 	assert_less(Performance.get_monitor(Performance.RENDER_VIDEO_MEM_USED) - memory, 2e4, "bytes")
+
+
+## A still view of grass at rest: nothing is asked of the renderer in a frame, by however many fields.
+func test_idle_lawns_ask_nothing_of_the_renderer() -> void:
+	var lawns := add_lawns(2)
+	look(Vector3(0, 1.7, 40), Vector3(0, 1.7, 0))
+	await drawn()
+	await frames(4)
+	var before: Array[Dictionary] = []
+	for lawn in lawns:
+		before.append(lawn.get_counters())
+	await unseen(func() -> void: await frames(20))
+	for i in lawns.size():
+		for counter: String in ["render_jobs", "culls", "instance_updates", "wind_updates", "uploaded_bytes"]:
+			assert_eq(lawns[i].get_counters()[counter], before[i][counter], counter)
+	camera.position.z += 1.0
+	await drawn()
+	for i in lawns.size():
+		assert_eq(lawns[i].get_counters().culls, before[i].culls + 1, "another view")
+		var jobs: int = lawns[i].get_counters().render_jobs - before[i].render_jobs
+		assert_true(jobs >= 1 and jobs <= 3, "%d jobs for another view: it is drawn, and found up to date" % jobs)
+
+
+func video_memory() -> float:
+	await drawn()
+	await frames(8)  # the engine frees two frames late
+	return Performance.get_monitor(Performance.RENDER_VIDEO_MEM_USED)
+
+
+## Bytes that each of `across` x `across` fields adds on the device, without its pool: what takes twice the pool shows how much that is.
+func bytes_without_pool(across: int, properties: Dictionary) -> float:
+	var without := await video_memory()
+	var added: Array[float] = []
+	for pool_tiles: int in [64, 128]:
+		var fields := add_lawns(across, properties.merged({pool_tiles = pool_tiles}))
+		added.append((await video_memory() - without) / (across * across))
+		for field in fields:
+			field.free()
+		await frames(8)
+	return 2.0 * added[0] - added[1]
+
+
+func test_memory_of_fields_at_rest() -> void:
+	add_lawns(1)  # it has what fields share
+	look(Vector3(0, 1.7, 60), Vector3(0, 1.7, 0))
+	var lawn := await bytes_without_pool(4, {})
+	print("    a further lawn takes %.0f KB of video memory without its pool" % (lawn / 1e3))
+	assert_true(lawn > 1e4 and lawn <= 4e5, "%.0f bytes of a lawn" % lawn)
+	var large := await bytes_without_pool(1, {size = Vector2(128, 128)})
+	print("    a field of 128 m takes %.1f MB" % (large / 1e6))
+	assert_true(large > 1e5 and large <= 12e6, "%.0f bytes of a field of 128 m" % large)
+
+
+func test_objects_of_a_lawn() -> void:
+	add_lawns(1)
+	await drawn()
+	var without := Performance.get_monitor(Performance.OBJECT_COUNT)
+	add_lawns(4)
+	await drawn()
+	var objects := (Performance.get_monitor(Performance.OBJECT_COUNT) - without) / 16.0
+	print("    a further lawn is %.2f objects" % objects)
+	assert_true(objects >= 1.0 and objects <= 10.0, "%.2f objects: the node, its materials, and few more" % objects)

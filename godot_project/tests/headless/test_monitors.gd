@@ -67,6 +67,7 @@ const COUNTERS: Array[String] = [
 	"knots_age",
 	"mixes",
 	"culls",
+	"render_jobs",
 	"instance_updates",
 	"drawn_plants",
 	"left_out_plants",
