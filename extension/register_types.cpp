@@ -13,6 +13,7 @@
 #include "editor/species_preview.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
+#include "nodes/field_turns.h"
 #include "nodes/grass_field.h"
 #include "resources/grass_bone_colliders_3d.h"
 #include "resources/grass_brush.h"
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
 		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
+		GDREGISTER_INTERNAL_CLASS(grass::FieldTurns);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
@@ -85,6 +87,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::finish_parallel();
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
+		grass::FieldTurns::free_singleton();
 		grass::GrassPatch::free_default();
 		grass::free_quality();
 		grass::finish_growing_arrays();

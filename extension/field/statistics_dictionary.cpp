@@ -57,6 +57,8 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["followed_blade_steps"] = int64_t(tiles.followed_blades);
 	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
+	result["visited_ticks"] = p_statistics.visited_ticks;
+	result["visited_frames"] = p_statistics.visited_frames;
 	result["wind_updates"] = p_statistics.wind_updates;
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);

@@ -37,6 +37,7 @@ struct FieldStatistics {
 	bool is_waiting = false; // to be made again
 	int64_t builds = 0, makings = 0; // backends made; number of times that the field was made
 	int64_t unseen_ticks = 0; // skipped ticks
+	int64_t visited_ticks = 0, visited_frames = 0; // in which it did not rest
 	int64_t wind_updates = 0; // frames that passed the wind's clock to the materials
 	int64_t instance_updates = 0; // changes of the node that were passed to the renderer
 

@@ -85,6 +85,8 @@ const COUNTERS: Array[String] = [
 	"pool_tiles",
 	"unseen_tile_steps",
 	"unseen_ticks",
+	"visited_ticks",
+	"visited_frames",
 	"wind_updates",
 	"edge_tile_steps",
 	"free_tile_steps",
