@@ -30,6 +30,7 @@
 #include "shared/keep_loaded.h"
 #include "shared/parallel.h"
 #include "shared/scene_watch.h"
+#include "shared/shared_area.h"
 #include "world/grass_world.h"
 
 #include <gdextension_interface.h>
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
 		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
+		GDREGISTER_INTERNAL_CLASS(grass::SharedArea);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldTurns);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);

@@ -68,6 +68,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["wheels"] = p_statistics.wheels;
 	result["bones"] = p_statistics.bones;
 	result["soft_bodies"] = p_statistics.soft_bodies;
+	result["areas"] = p_statistics.areas;
 	result["mesh_pieces"] = p_statistics.mesh_pieces;
 	result["plant_nodes"] = p_statistics.plant_nodes;
 	result["plant_nodes_made"] = p_statistics.plant_nodes_made;

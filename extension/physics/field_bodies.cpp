@@ -2,7 +2,6 @@
 #include "physics/field_bodies.h"
 
 #include "core/field/grass_at.h"
-#include "shared/convert.h"
 #include "shared/parallel.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -48,9 +47,7 @@ void FieldBodies::watch(const Field &p_field, const Transform3D &p_transform, do
 	_half_extents = Vector3(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
 	_tracker.set_box(p_transform, _half_extents, p_delta);
-	const Eigen::Affine3d place = to_eigen(p_transform);
-	const Eigen::Vector3d half = place.linear().cwiseAbs() * to_eigen(_tracker.get_box_extents());
-	_watched = { Eigen::Vector3d(place.translation() - half), Eigen::Vector3d(place.translation() + half) };
+	_watched = box_around(p_transform, _tracker.get_box_extents());
 }
 
 bool FieldBodies::find_resting(std::vector<RestingBody> &r_bodies) const {
@@ -110,6 +107,7 @@ void FieldBodies::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.bones = _bones.get_count();
 	r_statistics.soft_bodies = _soft_bodies.get_count();
 	r_statistics.mesh_pieces = _tracker.get_mesh_pieces() + _registered.get_mesh_pieces();
+	r_statistics.areas = SharedArea::get_count();
 	r_statistics.reads = _tracker.get_reads();
 	for (const BodyReads &reads : { _registered.get_reads(), _wheels.get_reads(), _bones.get_reads(), _soft_bodies.get_reads() }) {
 		r_statistics.reads.add(reads);

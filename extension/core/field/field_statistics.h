@@ -21,6 +21,7 @@ struct FieldStatistics {
 	double coarseness = 1.0; // see Field::get_coarseness()
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of moving trimeshes
+	int64_t areas = 0; // of the physics server, for all fields together
 	BodyReads reads;
 	int64_t plant_nodes = 0, plant_nodes_made = 0; // plants that have a node; nodes made so far
 	int64_t stems_looked_at = 0, plant_tiles_looked_at = 0; // in search of such plants, so far

@@ -41,6 +41,7 @@ const COUNTERS: Array[String] = [
 	"bones",
 	"soft_bodies",
 	"mesh_pieces",
+	"areas",
 	"plant_nodes",
 	"plant_nodes_made",
 	"stems_looked_at",

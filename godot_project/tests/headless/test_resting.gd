@@ -75,6 +75,87 @@ func test_nothing_is_called_for_fields_at_rest() -> void:
 		assert_less(listeners, 8, "of the tree's ticks and frames")
 
 
+func areas_of(fields: Array[GrassField]) -> int:
+	await rested(fields)
+	return fields[0].get_counters().areas
+
+
+func test_fields_side_by_side_share_areas() -> void:
+	var fields := add_fields(64)
+	assert_eq(await areas_of(fields), 1, "64 side by side")
+	for field in fields:
+		field.free()
+	fields = [add_field(), add_field({position = FAR}), add_field({position = -FAR})]
+	assert_eq(await areas_of(fields), 3, "between them lie bodies of others")
+	fields.append(add_field({position = FAR + Vector3(5, 0, 0)}))
+	assert_eq(await areas_of(fields), 3)
+	fields.append(add_field({collision_mask = 2}))
+	assert_eq(await areas_of(fields), 4, "other bodies")
+	for field in fields.slice(1):
+		field.free()
+	assert_eq(await areas_of([fields[0]]), 1)
+
+
+## Fields that share an area know the same bodies as fields alone, however the area changes meanwhile.
+func test_bodies_are_known_while_neighbours_come_and_go() -> void:
+	add_floor()
+	var field := add_field()
+	add_held_body(ball(0.2), MIDDLE)
+	add_held_body(ball(0.2), MIDDLE + Vector3(0, 0.1, 0))
+	await ticks(SOON)
+	assert_eq(field.get_body_count(), 3)
+	var others: Array[GrassField] = []
+	for i in 12:
+		others.append(add_field({position = Vector3(6 * (i % 3) - 6, 0, 6 * (i / 3) - 6), collision_mask = 1 + 2 * int(i == 11)}))
+		await ticks(1)
+		assert_eq(field.get_body_count(), 3, "%d come" % i)
+		if i % 3 == 2:
+			others.pop_at(1).free()
+			await ticks(1)
+			assert_eq(field.get_body_count(), 3, "%d gone" % i)
+	assert_eq(field.get_counters().areas, 2)
+	for other in others:
+		other.position.y += 0.5
+	await ticks(SOON)
+	assert_eq(field.get_body_count(), 3, "they moved")
+	assert_eq(field.get_counters().areas, 1 + others.size(), "who moves has its own")
+	for other in others:
+		other.position.x += 50.0
+	field.position.x += 0.5
+	await ticks(SOON)
+	assert_eq(field.get_body_count(), 3, "all have moved")
+	for other in others:
+		assert_eq(other.get_body_count(), 1, "the floor")
+	for other in others:
+		other.free()
+	field.collision_mask = 4
+	await ticks(SOON)
+	assert_eq(field.get_body_count(), 0)
+	field.collision_mask = 1
+	await ticks(SOON)
+	assert_eq(field.get_body_count(), 3)
+	assert_eq(field.get_counters().areas, 1)
+
+
+## All fields that leave at once are told what left with them.
+func test_a_world_that_shifts_keeps_its_bodies() -> void:
+	var floor_ := add_floor()
+	var fields := add_fields(9)
+	var body := add_held_body(ball(0.2), MIDDLE)
+	await ticks(SOON)
+	for round_ in 3:
+		for node: Node3D in fields + [floor_, body]:
+			node.position += Vector3(100, 0, 0)
+		await ticks(10)
+		assert_eq(fields[0].get_body_count(), 2)
+		assert_eq(fields[8].get_body_count(), 1)
+		assert_eq(fields[0].get_counters().areas, 1)
+	body.free()
+	fields[8].free()
+	await ticks(SOON)
+	assert_eq(fields[0].get_body_count(), 1)
+
+
 func test_a_body_stirs_only_the_fields_that_it_is_near() -> void:
 	add_floor()
 	var fields := add_fields(32)
