@@ -14,6 +14,7 @@
 #include "field/project_pool.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
+#include "nodes/field_turns.h"
 #include "nodes/grass_field.h"
 #include "resources/grass_bone_colliders_3d.h"
 #include "resources/grass_brush.h"
@@ -30,6 +31,7 @@
 #include "shared/keep_loaded.h"
 #include "shared/parallel.h"
 #include "shared/scene_watch.h"
+#include "shared/shared_area.h"
 #include "world/grass_world.h"
 
 #include <gdextension_interface.h>
@@ -42,7 +44,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
 		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
+		GDREGISTER_INTERNAL_CLASS(grass::SharedArea);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
+		GDREGISTER_INTERNAL_CLASS(grass::FieldTurns);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
@@ -87,6 +91,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::finish_parallel();
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
+		grass::FieldTurns::free_singleton();
 		grass::GrassPatch::free_default();
 		grass::free_quality();
 		grass::finish_growing_arrays();

@@ -19,6 +19,8 @@ public:
 	void blast(const godot::Vector3 &p_place, double p_speed, double p_radius, double p_duration);
 	void push(const godot::Vector3 &p_place, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	AreaWinds &get_areas() { return _areas; }
+	// Returns false unless the air rests until a GrassForce3D comes near. See AreaWinds.
+	bool find_resting(std::vector<RestingBody> &r_areas) const { return _pushes.empty() && _areas.find_resting(r_areas); }
 	// Advances pushes by a tick, and removes those that are over.
 	void pass(double p_delta);
 	// Finds the forces that reach a rectangle around the field's centre, p_size metres along x and z. Keeps the strongest, at most

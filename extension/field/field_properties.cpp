@@ -33,6 +33,10 @@ FieldProperties::FieldProperties() {
 	}
 }
 
+bool FieldProperties::is_other_quality() const {
+	return quality != current_quality();
+}
+
 bool FieldProperties::update_quality() {
 	return std::exchange(quality, current_quality()) != quality;
 }

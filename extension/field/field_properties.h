@@ -25,6 +25,7 @@ struct FieldProperties {
 	FieldProperties(); // defaults
 
 	double param(FieldParamId p_param) const { return params[size_t(p_param)]; }
+	bool is_other_quality() const; // whether update_quality() has something to do
 	[[nodiscard]] bool update_quality(); // returns whether the game has another level now
 	// Return what is used of a property: scaled by the level of quality. A world scales the pools of its plots itself.
 	double scaled(FieldParamId p_param) const;

@@ -35,6 +35,7 @@ public:
 	[[nodiscard]] bool wear_tracks(const VehicleWheels &p_wheels, double p_delta);
 	// Lets worn and cut grass recover for p_delta seconds.
 	void recover(double p_delta);
+	bool may_recover() const { return _properties.map.is_valid() && !_properties.recovery_rates(_standing.get_species()).is_none(); }
 	// Call it when the field has another map.
 	void forget_map() { _recovery.reset(); }
 

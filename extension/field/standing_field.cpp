@@ -136,7 +136,7 @@ void StandingField::bind_map(bool p_all) {
 }
 
 bool StandingField::update_map() {
-	if (!_backend || !_map || (_map->get_waiting() == 0 && !_map->is_growing())) {
+	if (!_backend || !is_map_waiting()) {
 		return true;
 	}
 	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE && !_map->is_growing(), is_streamed = _properties.is_streamed;

@@ -77,6 +77,7 @@ public:
 	// Takes over the map's changes since the last call: a few chunks at once, more as frames have time. Returns false if the map has more
 	// painted chunks under the field than the field can show.
 	bool update_map();
+	bool is_map_waiting() const { return _map && (_map->get_waiting() > 0 || _map->is_growing()); } // see update_map()
 	TileRange take_changed_tiles() { return _field.take_changed_tiles(); }
 	ShownMap *get_map() const { return _map.get(); } // null: none
 	// Returns the map's current layers at a place, whether or not the field shows them already. The result is valid until the next call;
@@ -109,6 +110,8 @@ public:
 	bool is_budget_blind() const { return stands() && _field.is_budget_blind(); }
 	bool notice_blind_budget() { return !std::exchange(_was_blind, is_budget_blind()) && _was_blind; }
 	static godot::String blind_warning();
+
+	bool has_awake() const { return _field.get_tiles().get_statistics().awake > 0; }
 
 	const Field &get_field() const { return _field; }
 	Backend *get_backend() const { return _backend.get(); } // null: there is no field

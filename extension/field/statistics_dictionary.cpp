@@ -59,6 +59,8 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["followed_blade_steps"] = int64_t(tiles.followed_blades);
 	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
+	result["visited_ticks"] = p_statistics.visited_ticks;
+	result["visited_frames"] = p_statistics.visited_frames;
 	result["wind_updates"] = p_statistics.wind_updates;
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);
@@ -68,6 +70,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["wheels"] = p_statistics.wheels;
 	result["bones"] = p_statistics.bones;
 	result["soft_bodies"] = p_statistics.soft_bodies;
+	result["areas"] = p_statistics.areas;
 	result["mesh_pieces"] = p_statistics.mesh_pieces;
 	result["plant_nodes"] = p_statistics.plant_nodes;
 	result["plant_nodes_made"] = p_statistics.plant_nodes_made;

@@ -125,6 +125,10 @@ bool FieldFiller::is_needed(const Place &p_place) {
 			[&p_place](const auto &p_obstacle) { return p_obstacle->reaches(p_place.region.min, p_place.region.max); });
 }
 
+bool FieldFiller::may_fill() const {
+	return _state.is_set() || (_is_live && (_rule.is_valid() || has_scene_nodes()));
+}
+
 Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
 	return Object::cast_to<Node3D>(ObjectDB::get_instance(_gatherer.get_node_of(p_obstacle)));
 }

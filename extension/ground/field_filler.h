@@ -40,6 +40,7 @@ public:
 	bool has_live_rule() const { return _rule.is_valid() && _is_live; }
 	// Returns whether a map has to be filled. Without a rule: once a node clears or plants some of p_place.
 	bool is_needed(const Place &p_place);
+	bool may_fill() const; // start() or update() may have something to do in the next frames
 	bool is_set() const { return _state.is_set(); } // has begun to fill
 	void rule_changed() {
 		_has_changed = true;

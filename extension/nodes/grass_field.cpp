@@ -8,7 +8,6 @@
 #include "draw/shared_shader.h"
 #include "field/field_view.h"
 #include "shared/convert.h"
-#include "shared/main_thread.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -53,20 +52,11 @@ void GrassField::_notification(int p_what) {
 		case NOTIFICATION_EXIT_WORLD:
 			leave();
 			break;
-		case NOTIFICATION_INTERNAL_PROCESS:
-			if (belongs_here()) {
-				callable_mp(this, &GrassField::_frame).call_deferred(get_process_delta_time());
-			}
-			break;
-		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			if (belongs_here()) {
-				callable_mp(this, &GrassField::_physics_tick).call_deferred(get_physics_process_delta_time());
-			}
-			break;
 		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION:
 			_moved_in = UINT64_MAX; // it was moved elsewhere: do not interpolate between the two places
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
+			stir();
 			turn();
 			update_configuration_warnings();
 			break;
@@ -82,15 +72,6 @@ void GrassField::turn() {
 	}
 }
 
-// A separate thread group runs a node on another thread, on which neither bodies nor the renderer may be used.
-bool GrassField::belongs_here() const {
-	const bool is_main = is_main_thread();
-	if (!is_main) {
-		ERR_PRINT_ONCE(message("it is not simulated in a thread group. Set `process_thread_group` of the field to Main Thread."));
-	}
-	return is_main;
-}
-
 void GrassField::enter() {
 	if (FieldMonitors::get_fields().empty()) {
 		hold_shader_jobs(); // the first frame with a field may need shaders in new variants
@@ -98,8 +79,10 @@ void GrassField::enter() {
 	watch_for_quit(get_tree()->get_root());
 	FieldMonitors::add(this);
 	SceneWatch::get_singleton()->start(this);
-	set_process_internal(true);
-	set_physics_process_internal(true);
+	FieldTurns::start(this);
+	stir();
+	_world = get_world_3d()->get_instance_id();
+	_calm_ticks = CALM_TICKS;
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
@@ -122,12 +105,11 @@ std::vector<uint64_t> GrassField::find_carriers() const {
 
 void GrassField::leave() {
 	FieldMonitors::remove(this);
+	FieldTurns::remove(*this);
 	if (FieldMonitors::get_fields().empty()) {
 		forget_shader_jobs();
 	}
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
-	set_process_internal(false);
-	set_physics_process_internal(false);
 	_bodies.get_tracker().stop();
 	_bodies.get_wheels().clear();
 	_forces.get_areas().clear();
@@ -154,7 +136,14 @@ bool GrassField::advance() {
 	return _life.advance();
 }
 
-void GrassField::_frame(double p_delta) {
+// Where frames are drawn, every one may need another wind.
+bool GrassField::needs_frame() const {
+	static const bool are_drawn = draws_frames();
+	return are_drawn || !_frame_rests || _life.is_waiting() || _properties.is_other_quality() || _filler.may_fill();
+}
+
+void GrassField::frame(double p_delta) {
+	_visited_frames++;
 	if (!is_inside_tree() || !advance()) {
 		return;
 	}
@@ -165,6 +154,7 @@ void GrassField::_frame(double p_delta) {
 		_forces.gather(_properties.size);
 		_standing.blow(_forces.get(), p_delta); // before drawing begins: a change in _before_draw() causes no further frame
 	}
+	_frame_rests = _life.rests() && _terrain.get_path().is_empty();
 }
 
 // Runs when the camera has its pose of this frame, which is not earlier. Also runs in a paused tree, unlike frame().

@@ -15,6 +15,7 @@
 #include "ground/field_filler.h"
 #include "ground/field_terrain.h"
 #include "nodes/field_monitors.h"
+#include "nodes/field_turns.h"
 #include "physics/field_bodies.h"
 #include "physics/ground_rays.h"
 #include "shared/frames.h"
@@ -74,6 +75,17 @@ public:
 	bool is_made() const { return _life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
 	// For a world: makes the field as its own frames do, whether it processes or not. Scripts run: afterwards it may be gone.
 	void come() { (void)advance(); }
+	// For FieldTurns: a tick and a frame, which the field does not need while it rests. Scripts run: afterwards it may be gone.
+	bool needs_tick() const;
+	void tick(double p_delta);
+	bool needs_frame() const;
+	void frame(double p_delta);
+	// Must be called after tick(). If nothing is left to do, rests until something calls stir(), and returns the bodies to watch meanwhile.
+	std::vector<RestingBody> rest();
+	// Must be called after any change that a tick or a frame has to follow.
+	void stir() { _rests = _frame_rests = false; }
+	void stir_by(std::span<const Mover> p_movers); // if one of them is near
+	void count_reads(const BodyReads &p_reads) { _shared_reads.add(p_reads); } // that serve all fields
 	double get_build_ms() const { return _life.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
 	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree
@@ -210,16 +222,14 @@ protected:
 private:
 	// grass_field.cpp and _tick.cpp: the node's life cycle, its frames and its ticks
 	void enter();
-	bool belongs_here() const;
 	void turn();
 	std::vector<uint64_t> find_carriers() const;
 	void leave();
 	// Called from the message queue, where the engine lets a node die: shared/script_call.h. Those that return bool return whether the node
 	// still exists.
-	void _physics_tick(double p_delta);
-	void _frame(double p_delta);
 	void _before_draw();
 	bool advance();
+	bool can_rest(std::vector<RestingBody> &r_bodies) const;
 	float find_share() const;
 	bool is_listened_to() const;
 	bool update_plants();
@@ -227,7 +237,7 @@ private:
 	void emit_visits();
 	void emit_leaving();
 	bool emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
-	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
+	void _body_woke(int64_t p_body);
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
 
@@ -285,7 +295,14 @@ private:
 	PlantNodes _plants{ *this, *this };
 	FieldWork _work{ *this, _standing, _properties };
 
+	// Ticks without motion after which the field may rest. Fewer: its backend does not tidy its memory before that.
+	static constexpr int CALM_TICKS = 240;
 	uint64_t _advanced_in = UINT64_MAX; // the frame of the last advance()
+	bool _rests = false, _frame_rests = false; // until stir(): in ticks; in frames
+	int _calm_ticks = 0; // since the last one that moved blades
+	int64_t _visited_ticks = 0, _visited_frames = 0;
+	BodyReads _shared_reads;
+	uint64_t _world = 0; // its instance id
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	void warn(const godot::String &p_warning) const;
 	WarningTeller _warning_teller;

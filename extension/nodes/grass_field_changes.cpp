@@ -16,6 +16,7 @@ using namespace godot;
 namespace grass {
 
 void GrassField::request_rebuild() {
+	stir();
 	_life.ask();
 	update_gizmos();
 	update_configuration_warnings();
@@ -48,6 +49,7 @@ void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
 // Colours and frequencies take effect at once; a change of blades makes the field again.
 void GrassField::_species_changed() {
 	GRASS_LATER_ON_MAIN_THREAD(&GrassField::_species_changed); // another thread changed a part of the resource
+	stir();
 	if (!_properties.species.read_plants(*this)) {
 		return;
 	}
@@ -112,6 +114,7 @@ void GrassField::watch_bare_map() {
 
 // However often the map changes, it is read once, in the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
+	stir();
 	end_preview();
 	_filler.touch(_properties.map, p_chunks);
 	watch_bare_map();
@@ -140,6 +143,9 @@ void GrassField::end_preview() {
 }
 
 void GrassField::update_map() {
+	if (_standing.is_map_waiting()) {
+		stir(); // what it shows then may need another look
+	}
 	if (!_standing.update_map()) {
 		WARN_PRINT_ONCE(vformat(String::utf8("%s: `map` has more painted chunks under the field than the field can show (%d, about "
 											 "8 km\u00b2). The rest stays bare. Use several smaller fields."),

@@ -25,6 +25,7 @@ void GrassField::_hook_changed() {
 }
 
 void GrassField::compile_hook() {
+	stir();
 	_properties.hook.compile();
 	if (is_inside_tree()) { // else when the field is made
 		report_warnings();

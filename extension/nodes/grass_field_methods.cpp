@@ -57,6 +57,9 @@ FieldStatistics GrassField::find_statistics() const {
 	_filler.add_to(statistics);
 	_terrain.add_to(statistics);
 	_plants.add_to(statistics);
+	statistics.visited_ticks = _visited_ticks;
+	statistics.visited_frames = _visited_frames;
+	statistics.reads.add(_shared_reads);
 	statistics.forces = int64_t(_forces.get().size());
 	statistics.forces_left_out = _forces.get_left_out();
 	statistics.blades = get_blade_count();
@@ -93,7 +96,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 		case MONITOR_DRAWN_TRIANGLES:
 			return double(_standing.count_drawn().triangles[0]);
 		case MONITOR_MANAGEMENT:
-			return 1e-3 * (_gather_ms + field.get_tiles_ms());
+			return _rests ? 0.0 : 1e-3 * (_gather_ms + field.get_tiles_ms());
 		case MONITOR_SIMULATE:
 			_standing.measure_time();
 			return 1e-3 * _standing.get_backend()->get_statistics().simulate_ms;
@@ -190,16 +193,19 @@ double GrassField::fill_whole(const Ref<GrassFillRule> &p_rule) {
 
 void GrassField::blast(const Vector3 &p_global_position, double p_speed, double p_radius, double p_duration) {
 	GRASS_MAIN_THREAD_ONLY();
+	stir();
 	_forces.blast(p_global_position, p_speed, p_radius, p_duration);
 }
 
 void GrassField::push(const Vector3 &p_global_position, const Vector3 &p_velocity, double p_radius, double p_duration) {
 	GRASS_MAIN_THREAD_ONLY();
+	stir();
 	_forces.push(p_global_position, p_velocity, p_radius, p_duration);
 }
 
 void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
 	GRASS_MAIN_THREAD_ONLY();
+	stir();
 	ERR_FAIL_COND_MSG(p_node == nullptr || p_shape.is_null(), message("register_collider() needs a node and its shape."));
 	if (_bodies.get_registered().add(p_node, p_shape)) {
 		return;

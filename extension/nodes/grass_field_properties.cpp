@@ -141,6 +141,7 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 	if (!replace(_properties.params[size_t(p_param)], checked(info.tunable, p_value, label()))) {
 		return;
 	}
+	stir();
 	if (info.id == PARAM_GROUND_LOW || info.id == PARAM_GROUND_HIGH) {
 		update_configuration_warnings();
 	}

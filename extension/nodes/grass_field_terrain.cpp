@@ -12,6 +12,7 @@ namespace grass {
 
 void GrassField::set_terrain(const NodePath &p_path) {
 	GRASS_MAIN_THREAD_ONLY();
+	stir();
 	if (_terrain.get_path() == p_path) {
 		_terrain.look_soon();
 		return;

@@ -13,6 +13,8 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/object.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -26,7 +28,8 @@ bool is_ground_plant(const Object *p_body) {
 
 } // namespace
 
-void GrassField::_physics_tick(double p_delta) {
+void GrassField::tick(double p_delta) {
+	_visited_ticks++;
 	if (!is_inside_tree() || !stand()) {
 		return;
 	}
@@ -43,6 +46,7 @@ void GrassField::_physics_tick(double p_delta) {
 	if (_undrawn.count(last_drawn_frame, Engine::get_singleton()->get_physics_frames())) {
 		_standing.read_asked(); // otherwise _before_draw() does it
 	}
+	_bodies.watch(_standing.get_field(), field_transform(), p_delta);
 	if (!_standing.begin_tick(is_listened_to(), p_delta)) {
 		_bodies.get_tracker().forget_left();
 		return;
@@ -58,9 +62,46 @@ void GrassField::_physics_tick(double p_delta) {
 	_gather_ms = clock.lap();
 	if (_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for())) {
 		_moved_in = Engine::get_singleton()->get_physics_frames();
+		_calm_ticks = 0;
 	}
 	if (_work.wear_tracks(_bodies.get_wheels(), p_delta) && _standing.stands()) {
 		emit_visits();
+	}
+}
+
+bool GrassField::needs_tick() const {
+	return !_rests || _life.is_waiting() || _standing.is_map_waiting();
+}
+
+// A tick of such a field would change nothing, now and later, unless something calls stir().
+bool GrassField::can_rest(std::vector<RestingBody> &r_bodies) const {
+	if (!is_inside_tree() || !_standing.is_shown() || _life.is_waiting() || _standing.is_map_waiting() || _plants.is_used(_standing) ||
+			!_forces.find_resting(r_bodies)) {
+		return false;
+	}
+	return !_properties.simulated || Engine::get_singleton()->is_editor_hint() ||
+			(_calm_ticks >= CALM_TICKS && !_standing.has_awake() && !_work.may_recover() && _bodies.find_resting(r_bodies));
+}
+
+std::vector<RestingBody> GrassField::rest() {
+	std::vector<RestingBody> bodies;
+	_calm_ticks = std::min(_calm_ticks + 1, CALM_TICKS);
+	_rests = can_rest(bodies);
+	if (!_rests) {
+		return {};
+	}
+	_gather_ms = 0.0;
+	if (_properties.simulated) {
+		_bodies.watch(_standing.get_field(), field_transform(), 0.0); // the map may have other ground since the tick began
+	}
+	return bodies;
+}
+
+void GrassField::stir_by(std::span<const Mover> p_movers) {
+	if (_rests && std::ranges::any_of(p_movers, [&](const Mover &p_mover) {
+			return p_mover.world == _world && p_mover.box.intersects(_bodies.get_watched());
+		})) {
+		stir();
 	}
 }
 
@@ -108,7 +149,7 @@ bool GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 
 // Returns whether a script listens for bodies in the grass, visible or not.
 bool GrassField::is_listened_to() const {
-	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
+	return has_connections("body_entered_grass") || has_connections("body_exited_grass");
 }
 
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
@@ -117,6 +158,7 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	if (p_status == PhysicsServer3D::AREA_BODY_ADDED && is_ground_plant(ObjectDB::get_instance(uint64_t(p_instance_id)))) {
 		return;
 	}
+	stir();
 	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
 	if (!_bodies.get_tracker().carries(uint64_t(p_instance_id))) {
 		_bodies.get_wheels().body_changed(p_status, p_instance_id);
@@ -124,7 +166,13 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 }
 
 void GrassField::_area_changed(int64_t p_status, const RID &, int64_t p_instance_id, int64_t, int64_t) {
+	stir();
 	_forces.get_areas().area_changed(p_status, p_instance_id);
+}
+
+void GrassField::_body_woke(int64_t p_body) {
+	stir();
+	_bodies.get_tracker().body_woke(p_body);
 }
 
 } // namespace grass

@@ -65,16 +65,26 @@ void AreaWinds::area_changed(int64_t p_status, int64_t p_instance_id) {
 	const bool is_added = p_status == PhysicsServer3D::AREA_BODY_ADDED;
 	Known &known = _areas[uint64_t(p_instance_id)];
 	known.overlaps += is_added ? 1 : -1;
-	if (known.overlaps <= 0) {
-		_areas.erase(uint64_t(p_instance_id));
-	}
 }
 
+// An area whose shapes are counted anew leaves and enters in the same tick, and its wind blows on.
 void AreaWinds::pass(double p_delta) {
+	std::erase_if(_areas, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
 	for (auto &[id, known] : _areas) {
 		const Area3D *area = find_area(id);
 		known.age = area != nullptr && area->get_wind_force_magnitude() > 0.0f ? known.age + p_delta : 0.0;
 	}
+}
+
+bool AreaWinds::find_resting(std::vector<RestingBody> &r_areas) const {
+	for (const auto &[id, known] : _areas) {
+		const Area3D *area = find_area(id);
+		if (known.overlaps <= 0 || (area != nullptr && area->get_wind_force_magnitude() > 0.0f)) {
+			return false;
+		}
+		r_areas.push_back({ id, {} });
+	}
+	return true;
 }
 
 std::vector<Force> AreaWinds::get_forces() const {

@@ -160,6 +160,24 @@ bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_
 	return r_body.still_ticks >= STILL_TICKS;
 }
 
+// What stands as ground, or sleeps. Others may change their shapes where they are, so they are read.
+bool BodyTracker::find_resting(std::vector<RestingBody> &r_bodies) const {
+	if (_has_field_moved || _ticks_since_jump <= JUMP_TICKS) {
+		return false;
+	}
+	for (const auto &[id, body] : _bodies) {
+		if (body.is_carrier) {
+			continue;
+		}
+		const bool is_ground = body.is_static && body.is_at_rest && body.shapes.empty();
+		if (body.overlaps <= 0 || body.state_id == 0 || !(is_ground || (body.is_asleep && body.is_written_still))) {
+			return false;
+		}
+		r_bodies.push_back({ body.node != nullptr ? body.instance_id : body.state_id, body.world_before });
+	}
+	return true;
+}
+
 // Returns whether following it would have no effect: the full pool had no slot for any tile that it met.
 bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles) {
 	if (p_body.overlaps <= 0 || !p_body.is_written) {

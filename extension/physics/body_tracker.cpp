@@ -16,8 +16,6 @@ namespace {
 
 // A field that moves farther in a tick jumps, and the bodies in it may follow a tick late. Metres.
 constexpr double FIELD_JUMP = 2.0;
-// Ticks after a jump of the field for which bodies that the server reports as gone are kept, since kinematic ones follow late.
-constexpr int JUMP_TICKS = 6;
 
 } // namespace
 

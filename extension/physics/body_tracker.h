@@ -9,6 +9,7 @@
 #include "core/bodies/motion.h"
 #include "core/tiles/tiles.h"
 #include "physics/physics_shapes.h"
+#include "physics/resting_bodies.h"
 #include "shared/watched_box.h"
 
 #include <Eigen/Geometry>
@@ -63,13 +64,19 @@ public:
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
 	std::vector<uint64_t> find_instances(size_t p_most) const; // ids of the first bodies
+	// Returns false unless every body rests, so that collect() has nothing to do until one of them moves, sleeps no more, enters or leaves.
+	// Appends those that may be moved without a word.
+	bool find_resting(std::vector<RestingBody> &r_bodies) const;
 	uint32_t get_mask() const { return _mask; }
+	const godot::Vector3 &get_box_extents() const { return _box.get_half_extents(); } // of the watched box
 	// Returns the number of convex pieces of moving bodies' trimeshes in the last tick.
 	int64_t get_mesh_pieces() const { return _mesh_pieces; }
 
 private:
 	// Ticks between two reads of a body that waits for slots. More: it is noticed later once slots are free. Fewer: crowds cost more.
 	static constexpr int WAITING_TICKS = 8;
+	// Ticks after a jump of the field for which bodies that the server reports as gone are kept, since kinematic ones follow late.
+	static constexpr int JUMP_TICKS = 6;
 
 	struct Body {
 		// First the members that a tick reads of a resting body.

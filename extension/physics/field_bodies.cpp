@@ -41,18 +41,27 @@ double blades_below(const Field &p_field, const LayersAt &p_layers, const Collid
 
 } // namespace
 
-void FieldBodies::collect(
-		const Field &p_field, const Ref<World3D> &p_world, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
+void FieldBodies::watch(const Field &p_field, const Transform3D &p_transform, double p_delta) {
 	const TileGrid &grid = p_field.get_grid();
 	const double height = p_field.get_setup().blade_length();
-	const Vector3 half(
+	_half_extents = Vector3(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
+	_tracker.set_box(p_transform, _half_extents, p_delta);
+	_watched = box_around(p_transform, _tracker.get_box_extents());
+}
+
+bool FieldBodies::find_resting(std::vector<RestingBody> &r_bodies) const {
+	return _registered.is_empty() && _wheels.is_empty() && _bones.get_count() == 0 && _soft_bodies.get_count() == 0 &&
+			_tracker.find_resting(r_bodies);
+}
+
+void FieldBodies::collect(
+		const Field &p_field, const Ref<World3D> &p_world, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
 	_collected_in = Engine::get_singleton()->get_physics_frames();
 	_delta = p_delta;
-	_tracker.set_box(p_transform, half, p_delta);
 	_tracker.collect(p_transform, tick, p_field.get_tiles(), is_engines_own_server() ? run_parallel : serial_for, _colliders);
-	const FieldReach reach(p_world, p_transform, half, _tracker.get_mask());
+	const FieldReach reach(p_world, p_transform, _half_extents, _tracker.get_mask());
 	_registered.collect(reach, tick, _colliders);
 	_wheels.collect(reach, tick, _colliders);
 	_bones.collect(reach, tick, _colliders);
@@ -98,6 +107,7 @@ void FieldBodies::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.bones = _bones.get_count();
 	r_statistics.soft_bodies = _soft_bodies.get_count();
 	r_statistics.mesh_pieces = _tracker.get_mesh_pieces() + _registered.get_mesh_pieces();
+	r_statistics.areas = SharedArea::get_count();
 	r_statistics.reads = _tracker.get_reads();
 	for (const BodyReads &reads : { _registered.get_reads(), _wheels.get_reads(), _bones.get_reads(), _soft_bodies.get_reads() }) {
 		r_statistics.reads.add(reads);

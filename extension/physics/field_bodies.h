@@ -24,9 +24,14 @@ public:
 	NodeColliders &get_registered() { return _registered; }
 	VehicleWheels &get_wheels() { return _wheels; }
 
-	// Poses every collider for a tick of p_delta seconds of p_field, which is in p_world at p_transform (orthonormal).
+	// Watches the space around the grass of p_field, which is at p_transform (orthonormal), in ticks of p_delta seconds.
+	void watch(const Field &p_field, const godot::Transform3D &p_transform, double p_delta);
+	// Poses every collider for a tick of p_delta seconds of p_field, which is in p_world at p_transform. Must be called after watch().
 	void collect(const Field &p_field, const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_transform,
 			double p_teleport_speed, double p_delta);
+	// Returns false unless watch() and what calls stir() report all that may move; see BodyTracker::find_resting().
+	bool find_resting(std::vector<RestingBody> &r_bodies) const;
+	const Eigen::AlignedBox3d &get_watched() const { return _watched; } // a box around the watched space, global
 	// Adds the colliders that wake tiles for the forces of the tick. Must be called after collect().
 	void add_forces(std::span<const Force> p_forces);
 	std::span<ColliderShape> get_colliders() { return _colliders; }
@@ -55,6 +60,8 @@ private:
 	SoftBodies _soft_bodies;
 	std::vector<ColliderShape> _colliders; // of this tick
 	Visitors _visitors;
+	godot::Vector3 _half_extents; // of the box around the grass, in field space
+	Eigen::AlignedBox3d _watched;
 	uint64_t _collected_in = 0; // the physics tick
 	double _delta = 0.0; // seconds of it
 };

@@ -80,6 +80,15 @@ bool SoftBodies::is_ready(const SoftBody3D *p_node) {
 	return shown.has_points && surfaces > 0 && frame >= shown.frame + MESH_FRAMES;
 }
 
+Eigen::AlignedBox3d SoftBodies::find_box(const SoftBody3D *p_node) {
+	if (!is_ready(p_node)) {
+		return {};
+	}
+	const AABB bounds = PhysicsServer3D::get_singleton()->soft_body_get_bounds(p_node->get_physics_rid());
+	_reads.engine_calls += 2;
+	return { to_eigen(bounds.position), to_eigen(bounds.get_end()) };
+}
+
 void SoftBodies::read_mesh(const Ref<Mesh> &p_mesh, Body &r_body) {
 	r_body = Body();
 	r_body.mesh = p_mesh->get_instance_id();

@@ -23,6 +23,8 @@ public:
 	// Appends the parts of every soft body near the grass, posed in the field's space.
 	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _bodies.clear(); } // see BodyTracker
+	// Returns the box around a soft body's points, global; empty while these cannot be read.
+	Eigen::AlignedBox3d find_box(const godot::SoftBody3D *p_node);
 
 	int64_t get_count() const { return int64_t(_bodies.size()); } // in the last tick
 	const BodyReads &get_reads() const { return _reads; }

@@ -33,12 +33,19 @@ void VehicleWheels::body_changed(int64_t p_status, int64_t p_instance_id) {
 		add_wheels(found->second, id);
 	}
 	found->second.overlaps += is_added ? 1 : -1;
-	if (found->second.overlaps <= 0) {
-		for (const uint64_t wheel : found->second.wheels) {
+}
+
+// A vehicle whose shapes are counted anew leaves and enters in the same tick, and its wheels roll on.
+void VehicleWheels::drop_left() {
+	std::erase_if(_vehicles, [this](const auto &p_entry) {
+		if (p_entry.second.overlaps > 0) {
+			return false;
+		}
+		for (const uint64_t wheel : p_entry.second.wheels) {
 			_colliders.remove(wheel);
 		}
-		_vehicles.erase(found);
-	}
+		return true;
+	});
 }
 
 void VehicleWheels::add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle) {
@@ -65,6 +72,7 @@ void VehicleWheels::clear() {
 }
 
 void VehicleWheels::collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+	drop_left();
 	_colliders.collect(p_reach, p_tick, r_colliders);
 }
 

@@ -23,6 +23,7 @@ public:
 	// Must be called when a shape of a body enters or leaves the field's box, see BodyTracker::body_changed().
 	void body_changed(int64_t p_status, int64_t p_instance_id);
 	void clear();
+	bool is_empty() const { return _vehicles.empty(); }
 	// Appends every wheel, posed in the field's space.
 	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _colliders.forget_motion(); }
@@ -36,6 +37,7 @@ private:
 		std::vector<uint64_t> wheels; // ids of VehicleWheel3D nodes
 	};
 	void add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle);
+	void drop_left();
 
 	std::map<uint64_t, Vehicle> _vehicles; // by id, so that the order of colliders is the same in every run
 	NodeColliders _colliders;

@@ -55,6 +55,7 @@ ALLOWED = {
 	"ground/field_terrain.h": (OWN_FIELD, "_node"),
 	"ground/fill_gatherer.h": (ONE_CALL, "_field"),
 	"nodes/field_monitors.h": ("fields, which remove themselves when they leave the tree; or " + SINGLETON, "_fields", "_singleton"),
+	"nodes/field_turns.h": (SINGLETON, "_singleton"),
 	"physics/body_tracker.h": ("checked by its id in each tick, before the first use", "state", "node"),
 	"physics/ground_rays.h": (ONE_CALL, "_standing", "_space"),
 	"shared/scene_watch.h": (SINGLETON, "_singleton"),

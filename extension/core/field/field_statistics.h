@@ -22,6 +22,7 @@ struct FieldStatistics {
 	double coarseness = 1.0; // see Field::get_coarseness()
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of moving trimeshes
+	int64_t areas = 0; // of the physics server, for all fields together
 	BodyReads reads;
 	int64_t plant_nodes = 0, plant_nodes_made = 0; // plants that have a node; nodes made so far
 	int64_t stems_looked_at = 0, plant_tiles_looked_at = 0; // in search of such plants, so far
@@ -38,6 +39,7 @@ struct FieldStatistics {
 	bool is_waiting = false; // to be made again
 	int64_t builds = 0, makings = 0; // backends made; number of times that the field was made
 	int64_t unseen_ticks = 0; // skipped ticks
+	int64_t visited_ticks = 0, visited_frames = 0; // in which it did not rest
 	int64_t wind_updates = 0; // frames that passed the wind's clock to the materials
 	int64_t instance_updates = 0; // changes of the node that were passed to the renderer
 
