@@ -11,6 +11,7 @@
 #include "core/solver/step_tile.h"
 
 #include "rolled_blades.h"
+#include "swinging_blades.h"
 
 namespace grass {
 
@@ -22,6 +23,10 @@ namespace test {
 
 std::vector<Look> roll_32_through(const Roll &p_roll, const Stepping &p_stepping, double p_looks) {
 	return roll_through(p_roll, p_stepping, p_looks);
+}
+
+Swing swing_32_chains(SwingKind p_kind, double p_rate) {
+	return swing_chains(p_kind, p_rate);
 }
 
 } // namespace test

@@ -81,4 +81,20 @@ struct KirchhoffRod {
 	}
 };
 
+// A rod that rests as an arc towards x, by p_turn radians from root to tip, with the section that [Eq 44] and [Eq 45] give a blade.
+inline KirchhoffRod leaf(double p_turn, double p_taper, double p_wide, const Eigen::Vector3d &p_load) {
+	KirchhoffRod rod;
+	rod.curvature = [p_turn](double) { return Eigen::Vector3d(0.0, -p_turn, 0.0); };
+	rod.clamp.col(0) = Eigen::Vector3d::UnitY();
+	rod.clamp.col(1) = Eigen::Vector3d::UnitZ();
+	rod.clamp.col(2) = Eigen::Vector3d::UnitX();
+	rod.section = [p_taper, p_wide](double p_s) {
+		const double width = 1.0 - p_taper * p_s;
+		return Eigen::Vector3d(width, width, width * (1.0 + (p_wide * p_wide - 1.0) * width * width));
+	};
+	rod.mass = [p_taper](double p_s) { return (1.0 - p_s) - 0.5 * p_taper * (1.0 - p_s * p_s); };
+	rod.load = p_load;
+	return rod;
+}
+
 } // namespace grass::test

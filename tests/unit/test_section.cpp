@@ -31,20 +31,6 @@ ElasticBlade arc(double p_turn) {
 		return place;
 	});
 }
-KirchhoffRod rod(double p_turn, double p_taper, double p_wide, const Eigen::Vector3d &p_load) {
-	KirchhoffRod rod;
-	rod.curvature = [p_turn](double) { return Eigen::Vector3d(0.0, -p_turn, 0.0); };
-	rod.clamp.col(0) = Eigen::Vector3d::UnitY();
-	rod.clamp.col(1) = Eigen::Vector3d::UnitZ();
-	rod.clamp.col(2) = Eigen::Vector3d::UnitX();
-	rod.section = [p_taper, p_wide](double p_s) {
-		const double width = 1.0 - p_taper * p_s;
-		return Eigen::Vector3d(width, width, width * (1.0 + (p_wide * p_wide - 1.0) * width * width));
-	};
-	rod.mass = [p_taper](double p_s) { return (1.0 - p_s) - 0.5 * p_taper * (1.0 - p_s * p_s); };
-	rod.load = p_load;
-	return rod;
-}
 // EI / (density area length^4) at the root, 1/s^2.
 double bending_of(const SolverParams &p_params) {
 	const double share = 2.0 * PI * p_params.natural_frequency / FIRST_MODE;
@@ -70,7 +56,7 @@ Eigen::Vector3d standing(double p_turn, double p_taper, double p_wide, const Eig
 
 TEST_CASE("the rod that blades are held against hangs as the elastica: under 2, 5 and 10") {
 	for (const auto &[gamma, drop] : { std::pair(2.0, 0.238507), std::pair(5.0, 0.495905), std::pair(10.0, 0.700200) }) {
-		CHECK(rod(0.0, 0.0, 1.0, { gamma, 0.0, 0.0 }).tip().x() == doctest::Approx(drop).epsilon(1e-5));
+		CHECK(leaf(0.0, 0.0, 1.0, { gamma, 0.0, 0.0 }).tip().x() == doctest::Approx(drop).epsilon(1e-5));
 	}
 }
 
@@ -83,8 +69,8 @@ TEST_CASE(
 			for (const double gamma : { 0.3, 2.0, 8.0 }) {
 				for (const double heading : { 0.0, 0.25 * PI, 0.5 * PI }) {
 					const Eigen::Vector3d load = Eigen::Vector3d(std::cos(heading), 0.0, std::sin(heading)) * gamma;
-					const Eigen::Vector3d rest = rod(turn, taper, wide, Eigen::Vector3d::Zero()).shoot(Eigen::Vector3d::Zero()).place;
-					const Eigen::Vector3d wanted = rod(turn, taper, wide, load).tip() - rest;
+					const Eigen::Vector3d rest = leaf(turn, taper, wide, Eigen::Vector3d::Zero()).shoot(Eigen::Vector3d::Zero()).place;
+					const Eigen::Vector3d wanted = leaf(turn, taper, wide, load).tip() - rest;
 					const Eigen::Vector3d found = standing(turn, taper, wide, load) - arc(turn).place(TIP) / arc(turn).length();
 					const double error = (found - wanted).norm() / wanted.norm();
 					INFO(turn, ", taper ", taper, ", ", wide, " x, ", gamma, ", ", heading, ": ", error);

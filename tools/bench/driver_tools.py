@@ -99,14 +99,30 @@ def pipelines():
 	)  # fmt: skip
 
 
+def with_driver(name, description):
+	"""The environment in which programs see the driver `name` of Debian's Mesa alone, which the file `description` tells them of."""
+	description.write_text(json.dumps({"file_format_version": "1.0.1", "ICD": {"library_path": str(driver(name)), "api_version": "1.3.0"}}))
+	return {
+		**os.environ, "VK_DRIVER_FILES": str(description), "VK_LOADER_LAYERS_DISABLE": "~all~", "MESA_SHADER_CACHE_DISABLE": "true",
+	}  # fmt: skip
+
+
+def strain_parity(spirv):
+	"""How far the pass by strains and its C++ are apart, and how far from rest blades go: blade lengths."""
+	source = ROOT / "tests/driver_compilers/strain_parity.cpp"
+	program = FOLDER / source.stem
+	FOLDER.mkdir(parents=True, exist_ok=True)
+	options = ("-std=c++20", "-O1", "-ffp-contract=off", "-DGRASS_IS_SANITIZED", "-DEIGEN_DONT_VECTORIZE")
+	folders = (f"-I{ROOT / 'extension'}", f"-I{ROOT / 'shaders'}", "-isystem", machine.eigen(), "-idirafter", DRIVERS.place / "usr/include")
+	linked = (f"-L{LIBRARIES}", "-Wl,--allow-shlib-undefined", "-l:libvulkan.so.1")
+	run([*machine.compiler().split(), *options, *folders, "-o", program, source, *linked])
+	said = run_fetched(program, spirv, env=with_driver("lvp", FOLDER / "lvp.json"))
+	return tuple(map(float, said.split()))
+
+
 def make_pipelines(name, jobs, additions):
 	"""The statistics of driver `name`'s compiler for the pipelines that `jobs` lists: {pipeline: {statistic: value}}."""
-	description = jobs.with_suffix(".json")
-	description.write_text(json.dumps({"file_format_version": "1.0.1", "ICD": {"library_path": str(driver(name)), "api_version": "1.3.0"}}))
-	environment = {
-		**os.environ, "VK_DRIVER_FILES": str(description), "VK_LOADER_LAYERS_DISABLE": "~all~", "MESA_SHADER_CACHE_DISABLE": "true",
-		**additions,
-	}  # fmt: skip
+	environment = {**with_driver(name, jobs.with_suffix(".json")), **additions}
 	said = {}
 	for line in run_fetched(pipelines(), jobs, env=environment).splitlines():
 		if line.count("\t") == 2:

@@ -11,4 +11,6 @@
 #undef IN
 #undef INOUT
 #undef TO_T
+#undef GRASS_UNROLL
+#undef NO_TURN
 #undef precise

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "core/strain/basis.h"
+
+#include <cmath>
+#include <utility>
+
+namespace grass {
+
+namespace {
+
+constexpr double SEGMENT = 1.0 / GRASS_SEGMENTS;
+
+// Function p_order of the basis at the share p_place of the way from root to tip: 1 - s times the Jacobi polynomial of 2 s - 1 that makes
+// all of them orthonormal, by its recurrence.
+double basis_at(int p_order, double p_place) {
+	const double x = 2.0 * p_place - 1.0;
+	double before = 0.0, now = 1.0;
+	for (int n = 1; n <= p_order; n++) {
+		const double next = n == 1
+				? 2.0 * x + 1.0
+				: ((2 * n + 1) * ((n + 1) * n * x + 1.0) * now - (n + 1) * (n + 1) * (n - 1) * before) / (n * n * (n + 2));
+		before = std::exchange(now, next);
+	}
+	return std::sqrt(2.0 * p_order + 3.0) * (1.0 - p_place) * now;
+}
+
+// The integral of a polynomial of up to degree 9 between two places, by Gauss.
+template <class Body> double integral(double p_from, double p_to, const Body &p_body) {
+	constexpr double PLACES[] = { 0.0, 0.538469310105683, 0.906179845938664 }; // in the half of the interval, on both sides
+	constexpr double WEIGHTS[] = { 0.568888888888889, 0.478628670499366, 0.236926885056189 };
+	const double middle = 0.5 * (p_from + p_to), half = 0.5 * (p_to - p_from);
+	double sum = WEIGHTS[0] * p_body(middle);
+	for (int i = 1; i < 3; i++) {
+		sum += WEIGHTS[i] * (p_body(middle - half * PLACES[i]) + p_body(middle + half * PLACES[i]));
+	}
+	return sum * half;
+}
+// Along the whole blade.
+template <class Body> double along_blade(const Body &p_body) {
+	double sum = 0.0;
+	for (int s = 0; s < GRASS_SEGMENTS; s++) {
+		sum += integral(s * SEGMENT, (s + 1) * SEGMENT, p_body);
+	}
+	return sum;
+}
+
+// The share of a mass in what a polynomial that has a double zero at the root is there: of those that equal it at all masses the one of the
+// least degree.
+double mass_share(int p_mass, double p_place) {
+	const auto place_of = [](int p_of) { return (GRASS_STRAIN_FIRST_MASS + 2 * p_of) * SEGMENT; };
+	const double own = place_of(p_mass);
+	double share = (p_place / own) * (p_place / own);
+	for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
+		share *= i == p_mass ? 1.0 : (p_place - place_of(i)) / (own - place_of(i));
+	}
+	return share;
+}
+
+} // namespace
+
+double joint_turn_of(int p_joint, int p_order) {
+	// The share of joint p_joint in the bend at a place. What lies below the first joint counts in it and, negatively, in the second: so
+	// all that is above is where bending along the way would bring it.
+	const auto part = [&](int p_from, double p_at_from, double p_at_to) {
+		return integral(p_from * SEGMENT, (p_from + 1) * SEGMENT, [&](double p_place) {
+			const double way = p_place / SEGMENT - p_from;
+			return basis_at(p_order, p_place) * (p_at_from * (1.0 - way) + p_at_to * way);
+		});
+	};
+	const double above = part(p_joint, 1.0, 0.0);
+	const double below = p_joint == 1 ? part(0, 2.0, 1.0) : part(p_joint - 1, 0.0, 1.0);
+	return above + below + (p_joint == 2 ? part(0, -1.0, 0.0) : 0.0);
+}
+
+StrainSection<float> make_strain_section(double p_taper, double p_width_to_thickness) {
+	StrainSection<float> section;
+	const double stiffer = p_width_to_thickness * p_width_to_thickness - 1.0;
+	for (int i = 0; i < GRASS_STRAIN_ORDERS; i++) {
+		for (int j = 0; j <= i; j++) {
+			const auto spring = [&](double p_stiffer) {
+				return float(along_blade([&](double p_place) {
+					const double width = 1.0 - p_taper * p_place;
+					return basis_at(i, p_place) * basis_at(j, p_place) * width * (1.0 + p_stiffer * width * width);
+				}));
+			};
+			section.soft.at[i * (i + 1) / 2 + j] = spring(0.0);
+			section.stiff.at[i * (i + 1) / 2 + j] = spring(stiffer);
+		}
+	}
+	for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
+		section.mass[i] = float(along_blade([&](double p_place) { return mass_share(i, p_place) * (1.0 - p_taper * p_place); }));
+	}
+	return section;
+}
+
+} // namespace grass

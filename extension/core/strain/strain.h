@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// shaders/strain as C++: a blade that is described by its strains, over any lane type. docs/internals/solver.md derives it.
+#pragma once
+
+#include "core/solver/free.h"
+
+namespace grass {
+
+#define GRASS_CONSTANT inline constexpr
+#include "strain/constants.inc"
+
+#include "strain/basis.inc"
+#undef GRASS_CONSTANT
+
+#define GRASS_FUNCTION GRASS_INLINE constexpr
+#include "core/base/lane_words.h"
+
+#include "strain/kinematics.inc"
+
+#include "strain/rows.inc"
+
+#include "strain/solve.inc"
+
+template <class T> GRASS_INLINE const T &mass_of(const StrainSection<T> &p_section, int p_mass) {
+	return p_section.mass[p_mass];
+}
+
+// A blade in blade space (metres, origin at the root).
+template <class T> struct StrainBlade {
+	Vec3<T> rest[GRASS_KNOTS];
+	JointAxes<T> axes[GRASS_SEGMENTS]; // of each joint; the first unused
+	T length; // metres
+	Strains<T> now, before;
+	Vec3<T> offsets[GRASS_KNOTS]; // of the knots from rest
+	Vec3<T> masses_before[GRASS_STRAIN_MASSES]; // of every second one, a step earlier
+	Vec3<T> forces[GRASS_STRAIN_MASSES]; // on them, within a step
+};
+template <class T> GRASS_INLINE const T &whole_length(const StrainBlade<T> &p_blade) {
+	return p_blade.length;
+}
+template <class T> GRASS_INLINE const Vec3<T> &rest_knot(const StrainBlade<T> &p_blade, int p_knot) {
+	return p_blade.rest[p_knot];
+}
+template <class T> GRASS_INLINE const JointAxes<T> &axes_of(const StrainBlade<T> &p_blade, int p_joint, const Joint<T> &) {
+	return p_blade.axes[p_joint];
+}
+template <class T> GRASS_INLINE const Strains<T> &strains_now(const StrainBlade<T> &p_blade) {
+	return p_blade.now;
+}
+template <class T> GRASS_INLINE const Strains<T> &strains_before(const StrainBlade<T> &p_blade) {
+	return p_blade.before;
+}
+template <class T> GRASS_INLINE const Vec3<T> &mass_now(const StrainBlade<T> &p_blade, int p_mass) {
+	return p_blade.offsets[GRASS_STRAIN_FIRST_MASS + 2 * p_mass];
+}
+template <class T> GRASS_INLINE const Vec3<T> &mass_before(const StrainBlade<T> &p_blade, int p_mass) {
+	return p_blade.masses_before[p_mass];
+}
+template <class T> GRASS_INLINE void put_force(StrainBlade<T> &r_blade, int p_mass, const Vec3<T> &p_force) {
+	r_blade.forces[p_mass] = p_force;
+}
+template <class T> GRASS_INLINE const Vec3<T> &force_on(const StrainBlade<T> &p_blade, int p_mass) {
+	return p_blade.forces[p_mass];
+}
+template <class T> GRASS_INLINE void put_knot(StrainBlade<T> &r_blade, int p_knot, const Vec3<T> &p_offset) {
+	r_blade.offsets[p_knot] = p_offset;
+}
+// Goes on to the numbers at the step's end. The share p_share of the present ones, and of their offsets, becomes those before; of 0 all,
+// even of what is not finite.
+template <class T> GRASS_INLINE void move_to(StrainBlade<T> &r_blade, const Strains<T> &p_next, const T &p_share) {
+	const auto is_none = !(p_share > T(0.0f));
+	for (int n = 0; n < GRASS_STRAINS; n++) {
+		r_blade.before.at[n] = select(is_none, T(0.0f), r_blade.now.at[n] * p_share);
+		r_blade.now.at[n] = p_next.at[n];
+	}
+	for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
+		r_blade.masses_before[i] = select(is_none, Vec3<T>{}, mass_now(r_blade, i) * p_share);
+	}
+}
+
+#include "strain/step.inc"
+
+#include "core/base/lane_words_end.h"
+#undef GRASS_FUNCTION
+
+} // namespace grass
