@@ -111,7 +111,7 @@ public:
 	bool notice_blind_budget() { return !std::exchange(_was_blind, is_budget_blind()) && _was_blind; }
 	static godot::String blind_warning();
 
-	bool has_awake() const { return _field.get_tiles().get_statistics().awake > 0; }
+	bool holds_slots() const { return _field.holds_slots(); } // awake tiles, or memory that ticks free
 
 	const Field &get_field() const { return _field; }
 	Backend *get_backend() const { return _backend.get(); } // null: there is no field

@@ -80,7 +80,7 @@ bool GrassField::can_rest(std::vector<RestingBody> &r_bodies) const {
 		return false;
 	}
 	return !_properties.simulated || Engine::get_singleton()->is_editor_hint() ||
-			(_calm_ticks >= CALM_TICKS && !_standing.has_awake() && !_work.may_recover() && _bodies.find_resting(r_bodies));
+			(_calm_ticks >= CALM_TICKS && !_standing.holds_slots() && !_work.may_recover() && _bodies.find_resting(r_bodies));
 }
 
 std::vector<RestingBody> GrassField::rest() {
