@@ -190,7 +190,8 @@ void main() {
 	StrainSection section = load_section();
 	StrainStep own_step = make_step();
 	barrier();
-	atomicMax(liveliest, floatBitsToUint(strain_energy(own, section, own_step)));
+	float energy = strain_energy(own, section, own_step);
+	atomicMax(liveliest, floatBitsToUint(energy < 1e30 ? energy : 0.0)); // of a blade that is not finite, and is put to rest: 0
 	take_free_step(own, section, own_step, (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0);
 	barrier();
 	if (blade.number == 0u) {

@@ -12,6 +12,10 @@
 #define IN(m_type) const m_type &
 #define INOUT(m_type) m_type &
 #define TO_T(m_value) widened<T>(m_value)
-#define GRASS_UNROLL _Pragma("GCC unroll 16") // before a loop over an array that should be in registers
+#if defined(__clang__) // before a loop over an array that should be in registers
+#define GRASS_UNROLL _Pragma("unroll")
+#else
+#define GRASS_UNROLL _Pragma("GCC unroll 16")
+#endif
 #define NO_TURN Turn<T>()
 #define precise // every sum is precise already, unless a compiler option relaxes it
