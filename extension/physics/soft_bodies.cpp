@@ -81,10 +81,11 @@ bool SoftBodies::is_ready(const SoftBody3D *p_node) {
 }
 
 Eigen::AlignedBox3d SoftBodies::find_box(const SoftBody3D *p_node) {
-	if (!is_ready(p_node)) {
+	const RID body = p_node->get_physics_rid();
+	if (!is_ready(p_node) || !body.is_valid()) { // an engine without soft bodies has none
 		return {};
 	}
-	const AABB bounds = PhysicsServer3D::get_singleton()->soft_body_get_bounds(p_node->get_physics_rid());
+	const AABB bounds = PhysicsServer3D::get_singleton()->soft_body_get_bounds(body);
 	_reads.engine_calls += 2;
 	return { to_eigen(bounds.position), to_eigen(bounds.get_end()) };
 }

@@ -14,6 +14,9 @@ namespace {
 
 // Slots that a plot may always have, however small the budget is: enough for a few bodies. More: more memory than the budget allows.
 constexpr int64_t LEAST_POOL = 32;
+// Slots that the budget keeps free, since pools grow at once, and other plots leave one in a frame. Fewer: it is exceeded while bodies
+// cross a border.
+constexpr int64_t SPARE_SLOTS = 128;
 
 // All of p_memory is of one field, but its parts may be of two moments, since the device reports late.
 size_t rest_of(const FieldMemory &p_memory) {
@@ -60,8 +63,8 @@ void WorldPlots::make_plan(std::span<const WorldEye> p_eyes) {
 	_planner.learn(loaded);
 	const size_t shared = count_shared();
 	// The size of a plot is held back for the field that appears while another one leaves.
-	_plan = _planner.plan(
-			_settings.grid, { p_eyes, loaded, _settings.budget - std::min(_settings.budget, shared), _planner.get_typical() });
+	const size_t held_back = _planner.get_typical() + size_t(SPARE_SLOTS * _pool_tile);
+	_plan = _planner.plan(_settings.grid, { p_eyes, loaded, _settings.budget - std::min(_settings.budget, shared), held_back });
 	_statistics.tests = _plan.tests;
 }
 

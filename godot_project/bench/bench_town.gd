@@ -63,7 +63,7 @@ func _measure(p_cut: int) -> PackedStringArray:
 	row.append("%.1f" % (1e-6 * (Performance.get_monitor(Performance.RENDER_VIDEO_MEM_USED) - video_before)))
 	var pool := 0
 	for lawn in lawns:
-		pool += lawn.get_counters().pool_bytes
+		pool += lawn.get_counters().get("pool_bytes", 0)
 	row.append("%.1f" % (1e-6 * pool))
 	row.append("%d" % draws)
 	row.append("%.4f" % Measure.median(idle))

@@ -2,6 +2,7 @@
 #include "core/field/pool_texels.h"
 
 #include "core/base/half.h"
+#include "core/base/resize_exactly.h"
 
 #include <algorithm>
 #include <bit>
@@ -71,8 +72,7 @@ void PoolTexels::resize_rows(int p_rows) {
 	_rows = p_rows;
 	for (std::vector<uint16_t> *texels : { &_now, &_earlier, &_shown }) {
 		if (texels == &_now || _is_between) {
-			texels->resize(size_t(_rows) * ROW);
-			texels->shrink_to_fit();
+			resize_exactly(*texels, size_t(_rows) * ROW);
 		}
 	}
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/functions.h"
 #include "core/base/half.h"
+#include "core/base/resize_exactly.h"
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
 #include "core/solver/join.h"
@@ -91,8 +92,7 @@ void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 			_bends[to] = _bends[from];
 		}
 	}
-	_slots.resize(size_t(p_slots));
-	_slots.shrink_to_fit();
+	resize_exactly(_slots, size_t(p_slots));
 	_energy.resize(size_t(p_slots), 0.0f);
 	_bends.resize(size_t(p_slots), Eigen::Vector3f::Zero());
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/hash.h"
+#include "core/base/resize_exactly.h"
 #include "core/base/tile_grid.h"
 #include "core/tiles/slot_set.h"
 
@@ -34,8 +35,7 @@ public:
 	// Empties the map and makes room for p_capacity tiles.
 	void reserve(int p_capacity) {
 		_entries.assign(FIRST_ENTRIES, {});
-		_squares.resize(size_t(p_capacity));
-		_squares.shrink_to_fit();
+		resize_exactly(_squares, size_t(p_capacity));
 		_free.reset(p_capacity, true);
 		_mask = uint32_t(_entries.size() - 1);
 		_count = 0;

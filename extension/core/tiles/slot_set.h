@@ -2,6 +2,8 @@
 // A set of slots of the pool, one bit for each. Finds the lowest slot in a time that does not depend on the number of slots in the set.
 #pragma once
 
+#include "core/base/resize_exactly.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -25,8 +27,7 @@ public:
 
 	// Changes the number of slots. The set keeps those that still exist; new ones are in it if p_full.
 	void resize(int p_before, int p_size, bool p_full) {
-		_words.resize(size_t(p_size + 63) / 64, 0);
-		_words.shrink_to_fit();
+		resize_exactly(_words, size_t(p_size + 63) / 64);
 		for (int slot = p_before; slot < p_size; slot++) {
 			insert_if(slot, p_full);
 		}

@@ -2,6 +2,8 @@
 // How many slots there are: as many as the awake tiles need, within the pool's size and what a PoolBudget grants.
 #include "core/tiles/tiles.h"
 
+#include "core/base/resize_exactly.h"
+
 #include <bit>
 #include <utility>
 
@@ -68,10 +70,7 @@ void TileManager::set_room(int p_slots, std::vector<SlotMove> &r_moves) {
 		}
 	}
 	const int before = std::exchange(_room, p_slots);
-	const auto resize = [this](auto &r_states, size_t p_for_each = 1) {
-		r_states.resize(p_for_each * size_t(_room));
-		r_states.shrink_to_fit(); // else a smaller pool would save nothing
-	};
+	const auto resize = [this](auto &r_states, size_t p_for_each = 1) { resize_exactly(r_states, p_for_each * size_t(_room)); };
 	resize(_times);
 	resize(_motions);
 	resize(_places);

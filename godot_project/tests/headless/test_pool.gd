@@ -62,7 +62,7 @@ func test_slots_come_with_tiles_that_wake_and_go_after_them() -> void:
 	assert_greater(slots_of(field), 0, "for a while")
 	await ticks(TRIMMED)
 	assert_eq(slots_of(field), 0)
-	assert_less(field.get_memory_usage(), at_rest + 400000, "bytes: lists of bodies stay")
+	assert_less(field.get_memory_usage(), at_rest + 200000, "bytes: lists of bodies stay")
 
 
 ## The knots of a tile in each tick in which a ball rolls over it.
