@@ -82,8 +82,8 @@ void GpuField::bind_simulate() {
 	_reader.bind(_knots.rid(), _halves.rid());
 }
 
-// The GPU runs steps of two fields one after the other, since both write this buffer. Where it has no room (p_most is 0), each field has one
-// of its own: steps of a few tiles take long, and would wait for each other.
+// The GPU runs steps of two fields one after the other, since both write this buffer. Where it has no room (p_most is 0), each field has
+// one of its own: steps of a few tiles take long, and would wait for each other.
 void GpuField::make_room_to_work(uint32_t p_groups, uint32_t p_most) {
 	if (p_most == 0) {
 		if (!_work) {
