@@ -45,7 +45,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	}
 	_patch = RenderingServer::get_singleton()->texture_get_rd_texture(p_patch);
 	_used_rows = 0;
-	resize_pool(0, {});
+	make_pool(0, {}); // also if it was empty: what a slot has may differ
 }
 
 // Makes the buffers by tile, with spare room, so that a growing field can usually keep them.

@@ -110,6 +110,7 @@ private:
 
 	std::array<GpuBuffer *, 18> buffers();
 	void fit_tables();
+	void make_pool(int p_slots, std::span<const SlotMove> p_moves);
 	void resize_textures(int p_kept, std::span<const SlotMove> p_moves);
 	godot::RID make_before_rows();
 	void keep_pool();

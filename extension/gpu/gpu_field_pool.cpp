@@ -9,7 +9,19 @@ using namespace godot;
 
 namespace grass {
 
+// With as many slots as before, tiles have only come to rest.
 void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
+	for (const SlotMove &move : p_moves) {
+		const int32_t entry = move.to == GRASS_NO_SLOT ? 0 : move.to + 1; // as simulate writes it
+		_table.write(int64_t(move.tile) * 4, std::span(&entry, 1));
+	}
+	_table_changed = true;
+	if (p_slots != _pool_size) {
+		make_pool(p_slots, p_moves);
+	}
+}
+
+void GpuField::make_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	const int kept = std::min(_used_rows, p_slots);
 	_pool_size = p_slots;
 	const auto resize = [&](GpuBuffer &r_buffer, int64_t p_bytes) { r_buffer.resize_parts(p_bytes, p_slots, kept, p_moves); };
@@ -21,11 +33,6 @@ void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	if (_kind.species) {
 		resize(_blade_species, int64_t(sizeof(SlotGrowth::species)));
 	}
-	for (const SlotMove &move : p_moves) {
-		const int32_t entry = move.to == GRASS_NO_SLOT ? 0 : move.to + 1; // as simulate writes it
-		_table.write(int64_t(move.tile) * 4, std::span(&entry, 1));
-	}
-	_table_changed = true;
 	resize_textures(kept, p_moves);
 	_used_rows = kept;
 	if (p_slots == 0) {

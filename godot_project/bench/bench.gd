@@ -26,7 +26,6 @@ const PARTS: Dictionary[String, GDScript] = {
 	"forces": preload("res://bench/bench_forces.gd"),
 	"hitch": preload("res://bench/bench_hitch.gd"),
 	"kernel": preload("res://bench/bench_kernel.gd"),
-	"lawns": preload("res://bench/bench_lawns.gd"),
 	"levels": preload("res://bench/bench_levels.gd"),
 	"limits": preload("res://bench/bench_limits.gd"),
 	"meadow": preload("res://bench/bench_meadow.gd"),

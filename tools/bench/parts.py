@@ -53,7 +53,6 @@ PARTS = (
 	Part("change", 20, size="640x360"),
 	Part("accuracy", 180, (), size="640x360", takes="spirv packs"),  # all knots of all steps: 150 MB to carry back
 	Part("forces", 40, ()),
-	Part("lawns", 40, ()),
 	Part("questions", 100, ()),
 	Part("species", 60, ()),
 	Part("flops", 2, where=HERE, program="bench_flops"),

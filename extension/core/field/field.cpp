@@ -90,6 +90,9 @@ void Field::set_params(const FieldParams &p_params) {
 void Field::rest() {
 	_tiles.reset();
 	_room = 0;
+	if (_pool_budget) { // a field that has left the tree has no ticks
+		_pool_budget->report(*this, 0, false);
+	}
 }
 
 void Field::set_pool_size(Simulator &r_simulator, int p_slots) {
