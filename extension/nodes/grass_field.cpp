@@ -82,7 +82,6 @@ void GrassField::enter() {
 	FieldTurns::start(this);
 	stir();
 	_world = get_world_3d()->get_instance_id();
-	_calm_ticks = CALM_TICKS;
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),

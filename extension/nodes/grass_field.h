@@ -295,11 +295,8 @@ private:
 	PlantNodes _plants{ *this, *this };
 	FieldWork _work{ *this, _standing, _properties };
 
-	// Ticks without motion after which the field may rest. Fewer: its backend does not tidy its memory before that.
-	static constexpr int CALM_TICKS = 240;
 	uint64_t _advanced_in = UINT64_MAX; // the frame of the last advance()
 	bool _rests = false, _frame_rests = false; // until stir(): in ticks; in frames
-	int _calm_ticks = 0; // since the last one that moved blades
 	int64_t _visited_ticks = 0, _visited_frames = 0;
 	BodyReads _shared_reads;
 	uint64_t _world = 0; // its instance id

@@ -62,7 +62,6 @@ void GrassField::tick(double p_delta) {
 	_gather_ms = clock.lap();
 	if (_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for())) {
 		_moved_in = Engine::get_singleton()->get_physics_frames();
-		_calm_ticks = 0;
 	}
 	if (_work.wear_tracks(_bodies.get_wheels(), p_delta) && _standing.stands()) {
 		emit_visits();
@@ -80,12 +79,11 @@ bool GrassField::can_rest(std::vector<RestingBody> &r_bodies) const {
 		return false;
 	}
 	return !_properties.simulated || Engine::get_singleton()->is_editor_hint() ||
-			(_calm_ticks >= CALM_TICKS && !_standing.holds_slots() && !_work.may_recover() && _bodies.find_resting(r_bodies));
+			(!_standing.holds_slots() && !_work.may_recover() && _bodies.find_resting(r_bodies));
 }
 
 std::vector<RestingBody> GrassField::rest() {
 	std::vector<RestingBody> bodies;
-	_calm_ticks = std::min(_calm_ticks + 1, CALM_TICKS);
 	_rests = can_rest(bodies);
 	if (!_rests) {
 		return {};

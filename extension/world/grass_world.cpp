@@ -36,7 +36,7 @@ void GrassWorld::_notification(int p_what) {
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
 			if (is_main_thread()) {
-				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y), get_physics_process_delta_time());
+				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y));
 			}
 			break;
 		case NOTIFICATION_PREDELETE:

@@ -11,7 +11,6 @@
 #include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
-#include <utility>
 
 using namespace godot;
 
@@ -47,9 +46,8 @@ void WorldEyes::body_changed(int64_t p_status, const RID &p_body, int64_t p_inst
 	}
 }
 
-void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents, double p_delta) {
+void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents) {
 	_ticks++;
-	_seconds += p_delta;
 	_box.place(p_world, p_half_extents);
 	const Transform3D to_world_space = p_world.affine_inverse();
 	for (size_t i = std::min(LOOKS_A_FRAME, _bodies.size()); i > 0; i--) {
@@ -69,12 +67,9 @@ void WorldEyes::look(Body &r_body, const Transform3D &p_to_world_space) {
 		return;
 	}
 	const Vector3 place = p_to_world_space.xform(node->get_global_position());
-	const Vector3 way = r_body.has_place ? place - r_body.place : Vector3();
-	if (way.length() > MOTION) {
+	if (r_body.has_place && (place - r_body.place).length() > MOTION) {
 		r_body.awake_until = _ticks + STAYS_AWAKE;
 	}
-	const double seconds = _seconds - std::exchange(r_body.looked_at, _seconds);
-	r_body.velocity = seconds > 0.0 ? way / real_t(seconds) : Vector3();
 	r_body.place = place;
 	r_body.has_place = true;
 	const RigidBody3D *rigid = Object::cast_to<RigidBody3D>(node);

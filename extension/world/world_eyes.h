@@ -24,8 +24,8 @@ public:
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
 	void stop();
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// Runs a tick of p_delta seconds: checks some of the bodies, in turn.
-	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents, double p_delta);
+	// Runs a tick: checks some of the bodies, in turn.
+	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents);
 
 	// p_layers: the layers of the grass.
 	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world, uint32_t p_layers) const;
@@ -37,8 +37,6 @@ private:
 		uint64_t instance_id = 0;
 		int64_t overlaps = 0; // number of its shapes in the world
 		godot::Vector3 place; // in the world's space, at the last check
-		godot::Vector3 velocity; // metres per second, between the last two checks
-		double looked_at = 0.0; // seconds
 		bool has_place = false;
 		bool is_awake = false;
 		int64_t awake_until = 0; // tick, if moved by script
@@ -49,7 +47,6 @@ private:
 	std::map<uint64_t, Body> _bodies; // by the RID's id
 	uint64_t _next = 0; // the next body to check
 	int64_t _ticks = 0;
-	double _seconds = 0.0; // total time of the ticks
 };
 
 } // namespace grass
