@@ -65,7 +65,7 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 
 void CpuBackend::step(const StepInput &p_input) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
-	const int64_t blades_before = _pool.get_simulated_blades(), knots_before = _pool.get_simulated_knots();
+	const int64_t blades_before = _pool.get_simulated_blades(), strains_before = _pool.get_strain_blades();
 	_texels.begin_step(_pool, p_input.slots);
 	_pool.step(p_input, run_parallel);
 	_texels.end_step(p_input.slots);
@@ -80,7 +80,7 @@ void CpuBackend::step(const StepInput &p_input) {
 	_step_number = p_input.number;
 	_statistics.steps++;
 	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
-	_statistics.simulated_knots += _pool.get_simulated_knots() - knots_before;
+	_statistics.strain_blades += _pool.get_strain_blades() - strains_before;
 	if (_measure) {
 		_statistics.timed_steps++;
 		_statistics.simulate_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;

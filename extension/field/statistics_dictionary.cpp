@@ -88,8 +88,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);
 	result["steps"] = backend.steps;
 	result["simulated_blades"] = backend.simulated_blades;
-	result["simulated_knots"] = backend.simulated_knots;
-	result["left_out_knots"] = backend.simulated_blades * GRASS_FREE_KNOTS - backend.simulated_knots;
+	result["strain_blades"] = backend.strain_blades;
 	result["edge_tile_steps"] = backend.edge_tile_steps;
 	result["free_tile_steps"] = backend.free_tile_steps;
 	result["workgroups"] = backend.workgroups;

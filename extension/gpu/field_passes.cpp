@@ -39,18 +39,16 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 					PassOrder::SIMULATE },
 			{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free",
 					"GrassField simulate free of many", PassOrder::FREE },
-			{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, nullptr, "GrassField simulate halved",
-					PassOrder::HALVED },
+			{ shader::STRAINS_SPIRV, shader::STRAINS_GRASS_SPECIES_SPIRV, nullptr, "GrassField simulate strains", PassOrder::STRAINS },
 	} };
 	const Variant &variant = variants[size_t(p_pass)];
-	const bool is_halved = p_pass == SlotPass::HALVED;
-	const int tiles = is_halved         ? GRASS_TILES_HALVED
-			: p_many                    ? GRASS_TILES_MANY
-			: p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD
-										: GRASS_TILES_ONE;
-	return { p_kind.species ? variant.species : variant.grass, p_many ? variant.many_name : variant.name,
-		p_many && !is_halved ? PassOrder::MANY : variant.order, int(p_kind.method), tiles, p_many || p_pass != SlotPass::PLAIN,
-		device_limits().has_quick_arrays };
+	const SpirvCode &code = p_kind.species ? variant.species : variant.grass;
+	if (p_pass == SlotPass::STRAINS) {
+		return { code, variant.many_name, variant.order, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
+	}
+	const int tiles = p_many ? GRASS_TILES_MANY : p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD : GRASS_TILES_ONE;
+	return { code, p_many ? variant.many_name : variant.name, p_many ? PassOrder::MANY : variant.order, int(p_kind.method), tiles,
+		p_many || p_pass != SlotPass::PLAIN, device_limits().has_quick_arrays };
 }
 
 // If it is refused, all blades of awake tiles are simulated.
@@ -90,8 +88,8 @@ bool can_share(const PassKind &p_kind) {
 	return can;
 }
 
-bool can_halve(const PassKind &p_kind) {
-	return is_compiled(simulate_code(p_kind, SlotPass::HALVED, true));
+bool has_strains(const PassKind &p_kind) {
+	return is_compiled(simulate_code(p_kind, SlotPass::STRAINS, true));
 }
 
 bool can_join(const PassKind &p_kind) {

@@ -20,7 +20,7 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 	return { p_setup.species != nullptr, p_setup.method };
 }
 
-// Returns the code of a pass that simulates tiles. p_many: several in a workgroup, always true for SlotPass::HALVED. SlotPass::PLAIN
+// Returns the code of a pass that simulates tiles. p_many: several in a workgroup, always true for SlotPass::STRAINS. SlotPass::PLAIN
 // simulates all kinds, if need be.
 PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many = false);
 PassCode join_code(const PassKind &p_kind);
@@ -42,8 +42,9 @@ bool prepare_passes(const PassKind &p_kind);
 bool can_simulate(const PassKind &p_kind);
 // Returns whether the passes for several tiles in a workgroup are compiled. The first call starts to compile them.
 bool can_share(const PassKind &p_kind);
-// Returns whether the pass for halved chains is compiled. The first call starts to compile it; until then such tiles have whole chains.
-bool can_halve(const PassKind &p_kind);
+// Returns whether the pass that moves blades by their strains is compiled. The first call starts to compile it; until then such tiles have
+// chains.
+bool has_strains(const PassKind &p_kind);
 // Returns whether blades can join the simulated ones of their tile.
 bool can_join(const PassKind &p_kind);
 // Returns the name of a pass that the driver has refused; null: none so far.

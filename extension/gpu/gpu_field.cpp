@@ -162,9 +162,9 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	_report->statistics.uploaded_bytes += uploaded;
 }
 
-std::array<GpuBuffer *, 18> GpuField::buffers() {
+std::array<GpuBuffer *, 19> GpuField::buffers() {
 	return { &_slot_records, &_join_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy,
-		&_table, &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
+		&_table, &_growth, &_blade_species, &_species_steps, &_section_records, &_cover, &_view, &_cameras, &_counts };
 }
 
 void GpuField::free(const FieldMultiMeshes &p_multimeshes) {

@@ -7,6 +7,7 @@
 #include "core/field/device_fit.h"
 #include "core/field/field_setup.h"
 #include "core/solver/slot_passes.h"
+#include "core/solver/strain/sections.h"
 #include "gpu/device.h"
 #include "gpu/field_passes.h"
 #include "gpu/knot_reader.h"
@@ -36,7 +37,6 @@ struct StepRecords {
 	std::vector<GrassSlot> followers;
 	GrassStep step;
 	SlotPasses passes; // of the slots
-	bool may_halve; // the pass for halved chains is compiled
 	double copy_ms; // CPU time of this copy
 
 	// p_energies: see choose_passes(). p_kind: of the field.
@@ -103,12 +103,12 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
-	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
+	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_LENGTH_ROW + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: offsets of some counts, the number of words that are reported, and the number of all words.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
-	std::array<GpuBuffer *, 18> buffers();
+	std::array<GpuBuffer *, 19> buffers();
 	void fit_tables();
 	void make_pool(int p_slots, std::span<const SlotMove> p_moves);
 	void resize_textures(int p_kept, std::span<const SlotMove> p_moves);
@@ -143,7 +143,7 @@ private:
 	// Lives for one step or one frame: written by the main thread's records, read by join.
 	GpuBuffer _join_records;
 	// Lives as long as the pool has slots, read and written by simulate and join: knots of awake tiles, now and one step earlier in two
-	// halves; which half is which; twists of their joints, and the blades' lengths; energy. All by slot.
+	// halves; which half is which; twists of their joints or strains, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Lives for one dispatch, read and written by simulate: what its threads keep of their blades' joints, unless each has an array for it.
 	std::shared_ptr<GpuBuffer> _work; // shared by all fields
@@ -155,6 +155,9 @@ private:
 	bool _is_mapped = false;
 	// The same for fields with species: the species of each slot's blades; and, in every step, each species' step.
 	GpuBuffer _blade_species, _species_steps;
+	// Written by the main thread when the section of a species changes, read by strains.
+	GpuBuffer _section_records;
+	StrainSections _sections;
 	PassKind _kind;
 	// Written in every frame, read by cull.
 	GpuBuffer _view, _cameras;

@@ -41,9 +41,9 @@ StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_ener
 	CpuClock clock;
 	slots.resize(p_input.slots.size());
 	const bool may_share = std::ranges::any_of(p_input.slots, is_thinned) && can_share(p_kind);
-	const bool has_halved = std::ranges::any_of(p_input.slots, [&](const GrassSlot &p_slot) { return is_halved(p_slot, p_input.step); });
-	may_halve = has_halved && can_halve(p_kind);
-	passes = choose_passes(p_input, p_energies, { uint32_t(count_working_tiles(device_limits())), may_share, may_halve }, slots);
+	const bool wants_strains = std::ranges::any_of(p_input.slots, [&](const GrassSlot &p_slot) { return takes_strains(p_slot, p_input); });
+	const bool may_use_strains = wants_strains && has_strains(p_kind);
+	passes = choose_passes(p_input, p_energies, { uint32_t(count_working_tiles(device_limits())), may_share, may_use_strains }, slots);
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
@@ -131,8 +131,12 @@ void GpuField::dispatch_simulate(const StepRecords &p_records) {
 		}
 	}
 	for (const Work &work : works) {
-		work.pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
 		work.pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
+		if (work.pass == &_simulate[size_t(SlotPass::STRAINS)][1]) {
+			work.pass->bind_buffer(GRASS_BINDING_SECTIONS, _section_records.rid());
+			continue;
+		}
+		work.pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
 		work.pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		work.pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
 		work.pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
@@ -209,6 +213,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
+	if (p_records.passes[size_t(SlotPass::STRAINS)].tiles() > 0) {
+		uploaded += _section_records.upload(_sections.find(_kind.species ? p_records.species : std::span(&p_records.step, 1)));
+	}
 	make_room_to_work(count_groups(p_records.passes), uint32_t(count_working_tiles(device_limits())));
 	{
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE, this);
@@ -232,12 +239,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.workgroups += count_groups(p_records.passes);
 		statistics.edge_tile_steps += count_own(SlotPass::EDGES);
-		statistics.free_tile_steps += count_own(SlotPass::FREE) + p_records.passes[size_t(SlotPass::HALVED)].tiles();
+		statistics.free_tile_steps += count_own(SlotPass::FREE) + p_records.passes[size_t(SlotPass::STRAINS)].tiles();
 		statistics.crowd_tile_steps += count_own(SlotPass::CROWD);
 		for (const GrassSlot &slot : p_records.slots) {
 			statistics.simulated_blades += count_blades(slot);
-			statistics.simulated_knots += count_blades(slot) * free_knots(p_records.may_halve && is_halved(slot, p_records.step));
 		}
+		statistics.strain_blades += p_records.passes[size_t(SlotPass::STRAINS)].many.blades;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;

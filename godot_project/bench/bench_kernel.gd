@@ -19,6 +19,8 @@ const WARM_UP := 20
 const WAKING := 400  # milliseconds: a card that idled while its driver compiled, or this made buffers, begins at a low clock
 const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8  # a blade and step: places now and before read, new ones written; texture
 const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4  # METHOD_DIRECT: twists read and written; length
+const TWIST_ROWS := 17  # of a slot
+const STRAIN_BYTES := (7 * 2 * 3 + 14 * 3 + 3 * 8) * 4 + KNOTS * 8  # masses now and before, knots; numbers; texture
 ## The passes of tiles near nothing sharp, near something sharp and without colliders, each with the scenes in which a field would use it.
 const SCENES: Dictionary[String, Array] = {"": ["4", "lid", "bodies", "rolling"], "_edges": ["lid", "bodies", "rolling"], "_free": ["0"]}
 enum { DIRECT, PBD }
@@ -29,6 +31,8 @@ var _device: RenderingDevice
 var _made: Array[RID] = []
 var _pipeline: RID
 var _shader: RID
+var _strain_pipeline: RID
+var _strain_shader: RID
 
 
 func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
@@ -50,6 +54,8 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 			)
 			# The largest first, so that the clock has risen before the short ones.
 			for tiles: int in [64] if p_software else [16384, 4096, 1024]:
+				if variant == "_free" and method == DIRECT:
+					rows.append(_measure_strains(p_spirv, tiles, 4 if p_software else STEPS))
 				for scene: String in SCENES[variant]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
@@ -101,10 +107,57 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	]
 
 
-func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:
+## As _measure(), of the pass that moves blades by their strains, from where chains are bent by a strong wind.
+func _measure_strains(p_spirv: String, p_tiles: int, p_steps: int) -> PackedStringArray:
+	var code := RDShaderSPIRV.new()
+	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("strains_%d.spv" % KNOTS)))
+	_strain_shader = _device.shader_create_from_spirv(code)
+	_strain_pipeline = _device.compute_pipeline_create(_strain_shader)
+	var shared := _shared_resources(p_tiles)
+	var chains: Array[RID] = [_uniform_set(shared, p_tiles, "0", 0, 0)]
+	var bend := SimulateData.push(DIRECT, KNOTS, TILE_SIZE, 128, Vector3(25.0, 0.0, 10.0), 2)
+	var free := SimulateData.push(DIRECT, KNOTS, TILE_SIZE, 128, Vector3.ZERO, 2)
+	_run(chains, bend, p_tiles, WARM_UP)
+	_device.buffer_update(shared[0], 0, p_tiles * SimulatePass.SLOT_BYTES, _slots(p_tiles, 0, 0))
+	var strains: Array[RID] = [_strain_set(shared)]
+	var awake := Time.get_ticks_msec() + (0 if p_steps < STEPS else WAKING)
+	_run(strains, bend, p_tiles, WARM_UP, _strain_pipeline)
+	while Time.get_ticks_msec() < awake:
+		_run(strains, bend, p_tiles, WARM_UP, _strain_pipeline)
+	_device.capture_timestamp("begin")
+	var start := Time.get_ticks_usec()
+	_run(strains, free, p_tiles, p_steps, _strain_pipeline)
+	var wall := (Time.get_ticks_usec() - start) * 1e-3 / p_steps
+	var gpu := 0.0
+	for i in _device.get_captured_timestamps_count() - 1:
+		gpu = maxf(gpu, (_device.get_captured_timestamp_gpu_time(i + 1) - _device.get_captured_timestamp_gpu_time(i)) * 1e-6)
+	for rid in chains + strains + _made + ([_strain_pipeline, _strain_shader] as Array[RID]):
+		_device.free_rid(rid)
+	_made.clear()
+	return ["DIRECT", "2", str(p_tiles * BLADES), "0", "strains", "%.4f" % wall, "%.4f" % (gpu / p_steps), str(STRAIN_BYTES)]
+
+
+## Bindings of strains.glsl. The section is about that of an even stalk.
+func _strain_set(p_shared: Array[RID]) -> RID:
+	var numbers := PackedFloat32Array()
+	for spring in 2 * 15:
+		numbers.append(float(spring % 15 in [0, 2, 5, 9, 14]))  # on the diagonal of a lower half
+	for mass in 7:
+		numbers.append(1.0 / 7.0)
+	var section := _keep([_device.storage_buffer_create(4 * numbers.size(), numbers.to_byte_array())])
+	var uniforms: Array[RDUniform] = []
+	var buffers := {0: p_shared[0], 1: section[0], 4: p_shared[1], 5: p_shared[2], 8: p_shared[6], 10: p_shared[8], 13: p_shared[9]}
+	for binding: int in buffers:
+		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
+	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
+	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
+	return _device.uniform_set_create(uniforms, _strain_shader, 0)
+
+
+func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int, p_pipeline := RID()) -> void:
 	_device.capture_timestamp("from")
 	var list := _device.compute_list_begin()
-	_device.compute_list_bind_compute_pipeline(list, _pipeline)
+	_device.compute_list_bind_compute_pipeline(list, p_pipeline if p_pipeline.is_valid() else _pipeline)
 	for step in p_steps:
 		_device.compute_list_bind_uniform_set(list, p_sets[step % p_sets.size()], 0)
 		SimulatePass.dispatch(_device, list, p_push, p_tiles)
@@ -139,7 +192,7 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 			_device.storage_buffer_create(p_tiles * 16),
 			_device.storage_buffer_create(p_tiles * 4),
 			_device.storage_buffer_create(16),
-			_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
+			_device.storage_buffer_create(p_tiles * TWIST_ROWS * BLADES * 4),
 			_device.storage_buffer_create(SimulatePass.work_bytes(_device, p_tiles, KNOTS)),
 		]
 	)

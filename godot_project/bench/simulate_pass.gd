@@ -103,7 +103,7 @@ func set_up(
 	var planes := _buffer(16)
 	knots = _buffer(pool, p_state)
 	var halves := _zeros(p_tiles * 4)
-	var twists := _zeros(p_tiles * (p_knots - 1) * BLADES * 4)
+	var twists := _zeros(p_tiles * (maxi(p_knots - 2, 16) + 1) * BLADES * 4)
 	var patch := _texture(
 		p_format, p_patch_width, p_patch.size() / (texel * p_patch_width), RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT, [p_patch]
 	)

@@ -49,6 +49,7 @@ shared vec2 places[GRASS_BLADES_PER_TILE + 1]; // of the blades' roots in the ti
 #include "solver/state.inc"
 #include "solver/rest.inc"
 #include "solver/pool.inc"
+#include "strain/leave.inc"
 
 void find_blade(uint p_number) {
 	blade.number = p_number;
@@ -79,9 +80,10 @@ struct Bent {
 	vec3 offset, moved;
 	float twist;
 };
-Bent bent_of(int p_knot) {
+Bent bent_of(int p_knot, bool p_has_strains) {
 	vec3 knot = start_of(p_knot);
-	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), start_twist_of(p_knot - 1));
+	float twist = p_has_strains ? twist_by(twist_strains(), p_knot - 1) : start_twist_of(p_knot - 1);
+	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), twist);
 }
 
 // [Eq 50] How far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the halves:
@@ -89,6 +91,15 @@ Bent bent_of(int p_knot) {
 Bent alone_of(int p_k, vec3 p_rest, vec3 p_moved) {
 	vec3 last = step.contact.x >= 1.0 ? before_of(p_k) : start_of(p_k);
 	return Bent(last - p_rest + p_moved, p_moved, start_twist_of(p_k - 1));
+}
+
+void copy_strains(Blade p_from, Blade p_to) {
+	for (uint row = 0u; row < uint(GRASS_LENGTH_ROW); row++) {
+		blade = p_from;
+		float number = pool_twists[twist_row(row)];
+		blade = p_to;
+		pool_twists[twist_row(row)] = number;
+	}
 }
 
 // [Eq 49]
@@ -99,9 +110,13 @@ void join_blade(uint p_other) {
 	find_blade(p_other);
 	Blade other = blade;
 	float ratio = size / max(length(rest_of(1)), 1e-6);
+	bool has_strains = (pool_half[slot.tile.w] & HAS_STRAINS) != 0u;
+	if (has_strains) {
+		copy_strains(other, own);
+	}
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		blade = other;
-		Bent bent = bent_of(k);
+		Bent bent = bent_of(k, has_strains);
 		blade = own;
 		vec3 rest = rest_of(k), offset = bent.offset * ratio, moved = bent.moved * ratio, knot = rest;
 		float twist = bent.twist;
@@ -116,7 +131,9 @@ void join_blade(uint p_other) {
 		}
 		set_start(k, knot);
 		set_before(k, knot - moved);
-		set_twist(k - 1, twist);
+		if (!has_strains) {
+			set_twist(k - 1, twist);
+		}
 		imageStore(pool_texture, pool_texel(k), vec4(knot - rest, twist));
 		parent = knot;
 		parent_rest = rest;

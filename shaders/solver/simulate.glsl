@@ -33,13 +33,7 @@ layout(constant_id = GRASS_CONSTANT_TILES) const uint TILES = uint(GRASS_TILES_O
 #define CROWD (TILES == uint(GRASS_TILES_CROWD))
 // Whether a workgroup has several tiles. With one, much of what a thread knows is the same for all of its workgroup: compilers for AMD's
 // and Intel's cards need fewer registers.
-#define MANY (TILES == uint(GRASS_TILES_MANY) || HALVED)
-// Whether chains are halved, [Eq 51].
-#ifdef GRASS_FREE
-#define HALVED (TILES == uint(GRASS_TILES_HALVED))
-#else
-#define HALVED false
-#endif
+#define MANY (TILES == uint(GRASS_TILES_MANY))
 
 // Whether threads keep the state of joints in arrays of their own, not in a buffer (solver/work.inc).
 layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
@@ -55,18 +49,16 @@ layout(push_constant, std430) uniform StepBlock {
 #define OWN_STEP step
 #endif
 
-// GRASS_KNOTS, and the number of a chain's knots, but numbers that no driver knows: NVIDIA's always unrolls loops of known length, into
+// GRASS_KNOTS, but a number that no driver knows: NVIDIA's always unrolls loops of known length, into
 // 384 KB of code and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time
 // among colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
 #ifdef GRASS_FREE // small enough to be unrolled by NVIDIA's, the only one that OWN_WORK is for
-#define WHOLE_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
-#define KNOT_COUNT (WHOLE_COUNT - (HALVED ? GRASS_KNOTS - GRASS_HALVED_KNOTS : 0))
+#define KNOT_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
 #else
-#define WHOLE_COUNT int(step.field.w)
-#define KNOT_COUNT WHOLE_COUNT
+#define KNOT_COUNT int(step.field.w)
 #endif
 // The same for any number of rounds.
-#define ROLLED(m_count) ((m_count) + WHOLE_COUNT - GRASS_KNOTS)
+#define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
 
 // Written by the CPU for this step.
 layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
@@ -94,14 +86,14 @@ layout(set = 0, binding = GRASS_BINDING_FORCES, std430) restrict readonly buffer
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
-// By slot. Lowest bit: which half holds the places now. The others: for how many steps to take all blades without a test which ones are at
-// rest.
+// By slot. Lowest bit: which half holds the places now. Highest: HAS_STRAINS. The others: for how many steps to take all blades without a
+// test which ones are at rest.
 layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
 	uint pool_half[];
 };
 // The number of such steps if no blade was at rest.
 #define STEPS_UNASKED 7u
-// Twists of the joints below knots 2 .. 15, radians, and the blade's length, metres, as [slot][joint, the length last][blade].
+// Twists of the joints below knots 2 .. 15, radians, or strains, and the blade's length, metres, as [slot][row, the length last][blade].
 layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
 	float pool_twists[];
 };
@@ -146,6 +138,7 @@ GrassSlot slot; // of this thread's tile
 
 #include "solver/rest.inc"
 #include "solver/pool.inc"
+#include "solver/report.inc"
 
 // The direction of the blade's width at the root.
 vec3 width_at_root() {
@@ -183,9 +176,9 @@ vec3 width_at_root() {
 #include "solver/finish.inc"
 #include "solver/direct.inc"
 #include "solver/solve.inc"
+#define GRASS_ROLLED(m_count) ROLLED(m_count)
+#include "strain/leave.inc"
 
-shared int bend_sum[3 * GRASS_GROUP_TILES]; // of the blades of each tile, in shares of BEND_UNITS: whole numbers add up alike in any order
-const float BEND_UNITS = 65536.0;
 
 // [Eq W6] The effect of forces on the blade, by the air at its root. Called in one place: each copy costs registers.
 void find_air_load() {
@@ -215,22 +208,6 @@ void find_blade(uint p_number) {
 
 #include "solver/wake.inc"
 
-// [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
-vec3 measure_bend() {
-	int tip = TIP;
-	float size = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
-	return clamp((start_of(tip) - rest_of(tip)) / size, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
-}
-
-// Writes what is known of a tile after the step. p_unasked: see pool_half, and one more.
-void report_tile(uint p_tile, uint p_unasked) {
-	pool_half[slot.tile.w] = blade.half_now | ((max(p_unasked, 1u) - 1u) << 1u);
-	vec3 sum = vec3(ivec3(bend_sum[3u * p_tile], bend_sum[3u * p_tile + 1u], bend_sum[3u * p_tile + 2u]));
-	float blades = float(GRASS_BLADES_PER_TILE) - slot.blend.y;
-	imageStore(pool_texture, ivec2(0, slot.tile.w), vec4(0.0, 0.0, 0.0, blades)); // of a knot that has no offset
-	slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest[p_tile]), sum / (BEND_UNITS * blades));
-}
-
 // Takes the tile of thread p_thread. Returns whether it has one that is simulated.
 bool find_tile(uvec4 p_group, uint p_thread) {
 	uint tile = MANY ? p_thread / p_group.y : 0u;
@@ -253,15 +230,14 @@ void step_tiles(uvec4 p_group) {
 	bool has_tile = find_tile(p_group, thread);
 	if (lane == 0u) {
 		uint tile = MANY ? thread / lanes : 0u;
-		liveliest[tile] = 0u;
-		bend_sum[3u * tile] = bend_sum[3u * tile + 1u] = bend_sum[3u * tile + 2u] = 0;
+		begin_report(tile);
 	}
 	share_colliders(lane, lanes, has_tile);
 	find_blade(lane);
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	uint blades = has_tile ? uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y) : 0u, count = uint(GRASS_BLADES_PER_TILE);
 	bool is_whole = !MANY && slot.blend.y <= 0.0 && !is_fresh;
-	uint unasked = is_whole ? pool_half[slot.tile.w] >> 1u : 0u;
+	uint unasked = is_whole ? (pool_half[slot.tile.w] & ~HAS_STRAINS) >> 1u : 0u;
 	if (unasked == 0u) {
 		// So that as few warps as possible have work.
 		count = share_blades(thread, lane < blades && (is_fresh || !is_idle(slot.list.z)));
@@ -283,17 +259,14 @@ void step_tiles(uvec4 p_group) {
 		blade.half_now = 1u - blade.half_now; // the next step starts from this step's places, which overwrote those before it
 	}
 	if (takes_step) {
-		vec3 bend = measure_bend() * BEND_UNITS;
-		for (uint c = 0u; c < 3u; c++) {
-			atomicAdd(bend_sum[3u * tile_of_blade() + c], int(round(bend[c])));
-		}
+		add_bend(tile_of_blade(), start_of(GRASS_KNOTS - 1) - rest_of(GRASS_KNOTS - 1)); // the step is over: the next one starts here
 	}
 	barrier();
 	if (lane == 0u && (!MANY || find_tile(p_group, thread))) {
 		if (MANY && step.contact.x >= 1.0) {
 			blade.half_now = 1u - blade.half_now;
 		}
-		report_tile(MANY ? thread / lanes : 0u, unasked);
+		report_tile(MANY ? thread / lanes : 0u, (max(unasked, 1u) - 1u) << 1u);
 	}
 }
 

@@ -2,8 +2,8 @@
 // Nanoseconds that a step of a free blade takes on one core: as a chain and by its strains, in every kind of number, taking turns. Prints a
 // table; docs/benchmarks/solver.md quotes it.
 #include "blade_scene.h"
-#include "core/strain/basis.h"
-#include "core/strain/strain_tile.h"
+#include "core/solver/strain/basis.h"
+#include "core/solver/strain/strain.h"
 
 #include <chrono>
 #include <cstdio>
@@ -29,29 +29,22 @@ double nanoseconds(const std::function<void()> &p_step) {
 
 int main() {
 	const char *NAMES[] = { "double", "float", "4 lanes", "8 lanes", "16 lanes" };
-	std::vector<Step> chains{ step_scalar_double, step_scalar_float };
-	std::vector<StrainTileStep> strains{ step_strains_double, step_strains_float };
-	chains.insert(chains.end(), get_lane_steps().begin(), get_lane_steps().end());
-	strains.insert(strains.end(), get_strain_steps().begin(), get_strain_steps().end());
+	std::vector<Step> steps{ step_scalar_double, step_scalar_float };
+	steps.insert(steps.end(), get_lane_steps().begin(), get_lane_steps().end());
 	std::printf("numbers,chain_ns,strains_ns,share\n");
-	for (size_t i = 0; i < chains.size(); i++) {
+	for (size_t i = 0; i < steps.size(); i++) {
 		double chain = 1e9, strain = 1e9;
 		for (int round = 0; round < ROUNDS; round++) {
 			BladeScene scene(Method::DIRECT);
 			scene.params.damping_ratio = 0.05;
 			scene.bend(1.0f);
 			scene.step();
-			const StrainSpecies species{ scene.clock.advance(scene.params, 1.0 / 60.0),
-				make_strain_section(scene.params.taper, scene.params.width_to_thickness) };
-			chain = std::min(chain, nanoseconds([&] { chains[i](*scene.tile, { &species.step, 1 }, 0.0f, {}); }));
-			const auto state = std::make_unique<StrainState>();
-			find_lengths(*scene.tile, *state);
-			for (int n = 0; n < GRASS_STRAINS; n++) {
-				for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-					state->strains[n][b] = 0.5f / float(n + 1);
-				}
-			}
-			strain = std::min(strain, nanoseconds([&] { strains[i](*scene.tile, *state, { &species, 1 }, 0.0f); }));
+			const GrassStep step = scene.clock.advance(scene.params, 1.0 / 60.0);
+			const StrainSection<float> section = make_strain_section(scene.params.taper, scene.params.width_to_thickness);
+			chain = std::min(chain, nanoseconds([&] { steps[i](*scene.tile, { &step, 1 }, 0.0f, {}); }));
+			scene.tile->sections = &section;
+			steps[i](*scene.tile, { &step, 1 }, 0.0f, {}); // finds the numbers
+			strain = std::min(strain, nanoseconds([&] { steps[i](*scene.tile, { &step, 1 }, 0.0f, {}); }));
 		}
 		std::printf("%s,%.0f,%.0f,%.2f\n", NAMES[i], chain, strain, strain / chain);
 	}

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Moves a tile of blades by their strains for 600 steps, with core/strain and with a Vulkan device's pass, under loads that come and go.
-// Prints how far the masses of the two are apart at worst, blade lengths; with that the farthest that one is from rest.
+// Moves a tile of blades by their strains for 600 steps, with core/solver/strain and with a Vulkan device's pass, under loads that come and
+// go. Prints how far the knots of the two are apart at worst, blade lengths; with that the farthest that one is from rest.
 //
 //     strain_parity SPIRV
 #include <vulkan/vulkan.h>
 
+#include "core/bodies/collider.cpp"
 #include "core/solver/section.cpp"
 #include "core/solver/solver_params.cpp"
-#include "core/strain/basis.cpp"
-#include "core/strain/step_scalar.cpp"
+#include "core/solver/step_scalar.cpp"
+#include "core/solver/strain/basis.cpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -24,6 +25,7 @@ namespace {
 
 constexpr int BLADES = GRASS_BLADES_PER_TILE;
 constexpr float LENGTH = 0.5f; // metres
+constexpr int KNOT_FLOATS = 3 * GRASS_FREE_KNOTS * BLADES; // of a half of the pool
 
 void check(VkResult p_result, const char *p_what) {
 	if (p_result != VK_SUCCESS) {
@@ -128,9 +130,9 @@ struct Bound {
 // The pass with what it reads and writes.
 struct Pass {
 	Device device;
-	Bound slots{ device, sizeof(GrassSlot) / sizeof(float) }, masses{ device, size_t(2 * 3 * GRASS_STRAIN_MASSES * BLADES) },
-			halves{ device, 1 }, energy{ device, 4 }, growth{ device, 4 * BLADES },
-			section{ device, sizeof(StrainSection<float>) / sizeof(float) }, strains{ device, size_t(2 * GRASS_STRAINS * BLADES) },
+	Bound slots{ device, sizeof(GrassSlot) / sizeof(float) }, knots{ device, size_t(2 * KNOT_FLOATS) }, halves{ device, 1 },
+			energy{ device, 4 }, growth{ device, 4 * BLADES }, section{ device, sizeof(StrainSection<float>) / sizeof(float) },
+			twists{ device, size_t((GRASS_LENGTH_ROW + 1) * BLADES) },
 			patch{ device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER },
 			pool{ device, VK_FORMAT_R16G16B16A16_SFLOAT, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE };
 	VkDescriptorSetLayout set_layout{};
@@ -141,9 +143,9 @@ struct Pass {
 	bool is_first = true;
 
 	std::vector<std::pair<uint32_t, const Bound *>> bound() const {
-		return { { GRASS_BINDING_SLOTS, &slots }, { GRASS_BINDING_KNOTS, &masses }, { GRASS_BINDING_HALVES, &halves },
+		return { { GRASS_BINDING_SLOTS, &slots }, { GRASS_BINDING_KNOTS, &knots }, { GRASS_BINDING_HALVES, &halves },
 			{ GRASS_BINDING_PATCH, &patch }, { GRASS_BINDING_POOL_TEXTURE, &pool }, { GRASS_BINDING_ENERGY, &energy },
-			{ GRASS_BINDING_GROWTH, &growth }, { GRASS_BINDING_SPECIES_STEPS, &section }, { GRASS_BINDING_TWISTS, &strains } };
+			{ GRASS_BINDING_GROWTH, &growth }, { GRASS_BINDING_SECTIONS, &section }, { GRASS_BINDING_TWISTS, &twists } };
 	}
 	void make_layout() {
 		std::vector<VkDescriptorSetLayoutBinding> bindings;
@@ -248,7 +250,7 @@ struct Pass {
 
 // Blades that lean and curve ever more, each to another side; the same for both.
 void grow(TileState &r_tile, Pass &r_pass) {
-	const GrassSlot slot{ {}, { 0, 0, 0, GRASS_SLOT_MAPPED }, {}, {} };
+	const GrassSlot slot{ {}, { 0, 0, 0, GRASS_SLOT_MAPPED }, {}, { 0, BLADES, 1, 0 } };
 	std::memcpy(r_pass.slots.numbers, &slot, sizeof(slot));
 	for (int b = 0; b < BLADES; b++) {
 		const double heading = 0.7 * b, curve = 1.5 * b / BLADES;
@@ -262,7 +264,12 @@ void grow(TileState &r_tile, Pass &r_pass) {
 			const double ways[] = { std::sin(lean) * std::cos(heading + 2.0), std::cos(lean), std::sin(lean) * std::sin(heading + 2.0) };
 			for (int c = 0; c < 3; c++) {
 				place[c] += size * ways[c];
-				r_tile.rest[c][k][b] = r_pass.patch.numbers[4 * (k * BLADES + b) + c] = float(place[c]);
+				const float rest = r_tile.rest[c][k][b] = r_pass.patch.numbers[4 * (k * BLADES + b) + c] = float(place[c]);
+				if (k >= GRASS_CLAMPED_KNOTS) {
+					const int free = k - GRASS_CLAMPED_KNOTS, at = (c * GRASS_FREE_KNOTS + free) * BLADES + b;
+					r_tile.knots[c][free][b] = r_tile.before[c][free][b] = rest;
+					r_pass.knots.numbers[at] = r_pass.knots.numbers[KNOT_FLOATS + at] = rest;
+				}
 			}
 		}
 	}
@@ -276,11 +283,10 @@ int main(int p_count, char **p_arguments) {
 	}
 	Pass pass(p_arguments[1]);
 	const auto tile = std::make_unique<TileState>();
-	const auto state = std::make_unique<StrainState>();
 	grow(*tile, pass);
-	find_lengths(*tile, *state);
-	StrainSpecies species{ {}, make_strain_section(TAPER.initial, WIDTH_TO_THICKNESS.initial) };
-	std::memcpy(pass.section.numbers, &species.section, sizeof(species.section));
+	const StrainSection<float> section = make_strain_section(TAPER.initial, WIDTH_TO_THICKNESS.initial);
+	std::memcpy(pass.section.numbers, &section, sizeof(section));
+	tile->sections = &section;
 	SolverParams params;
 	params.damping_ratio = 0.1;
 	StepClock clock;
@@ -290,17 +296,18 @@ int main(int p_count, char **p_arguments) {
 		params.load[0] = 0.8 * load;
 		params.load[1] = -0.1 * load;
 		params.load[2] = 0.5 * load;
-		species.step = clock.advance(params, 1.0 / 60.0);
-		species.step.field.w = float(GRASS_KNOTS);
-		step_strains_float(*tile, *state, { &species, 1 }, 0.0f);
-		pass.step(species.step);
+		GrassStep step = clock.advance(params, 1.0 / 60.0);
+		step.field.w = float(GRASS_KNOTS);
+		step_scalar_float(*tile, { &step, 1 }, 0.0f, {});
+		step.contact.w = 0.0f; // the first workgroup
+		pass.step(step);
 		uint32_t half;
 		std::memcpy(&half, pass.halves.numbers, sizeof(half));
-		for (int m = 0; m < 3 * GRASS_STRAIN_MASSES * BLADES; m++) {
-			const int c = m / (GRASS_STRAIN_MASSES * BLADES), mass = m / BLADES % GRASS_STRAIN_MASSES;
-			const float here = state->offsets[c][GRASS_STRAIN_FIRST_MASS + 2 * mass - GRASS_CLAMPED_KNOTS][m % BLADES];
-			apart = std::max(apart, std::abs(pass.masses.numbers[int(half) * 3 * GRASS_STRAIN_MASSES * BLADES + m] - here) / LENGTH);
-			farthest = std::max(farthest, std::abs(here) / LENGTH);
+		for (int i = 0; i < KNOT_FLOATS; i++) {
+			const float here = (&tile->knots[0][0][0])[i],
+						rest = tile->rest[i / (GRASS_FREE_KNOTS * BLADES)][GRASS_CLAMPED_KNOTS + i / BLADES % GRASS_FREE_KNOTS][i % BLADES];
+			apart = std::max(apart, std::abs(pass.knots.numbers[int(half & 1u) * KNOT_FLOATS + i] - here) / LENGTH);
+			farthest = std::max(farthest, std::abs(here - rest) / LENGTH);
 		}
 	}
 	std::printf("%g %g\n", double(apart), double(farthest));

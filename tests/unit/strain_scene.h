@@ -4,18 +4,15 @@
 
 #include "blade_scene.h"
 
-#include "core/strain/basis.h"
-#include "core/strain/strain_tile.h"
+#include "core/solver/strain/basis.h"
+#include "core/solver/strain/strain.h"
 
 namespace grass::test {
 
 struct StrainScene {
 	BladeScene blades;
-	std::unique_ptr<StrainState> state = std::make_unique<StrainState>();
-	StrainTileStep step_function = step_strains;
-	float energy = 0.0f; // [Eq Q10] of the liveliest blade as the last step began, J/kg
 
-	explicit StrainScene(BladeScene p_blades = BladeScene()) : blades(std::move(p_blades)) { find_lengths(*blades.tile, *state); }
+	explicit StrainScene(BladeScene p_blades = BladeScene()) : blades(std::move(p_blades)) { blades.tile->has_strains = true; }
 	// Of half a metre, all as the way from root to tip that p_way leads, a direction by the share of the way.
 	static StrainScene along(const std::function<Eigen::Vector3d(double)> &p_way) {
 		BladeScene blades;
@@ -41,8 +38,8 @@ struct StrainScene {
 			_wide = blades.params.width_to_thickness;
 			_section = make_strain_section(_taper, _wide);
 		}
-		const StrainSpecies species{ blades.clock.advance(blades.params, p_seconds), _section };
-		energy = step_function(*blades.tile, *state, { &species, 1 }, blades.blend);
+		blades.tile->sections = &_section;
+		blades.step(p_seconds);
 	}
 	void step_for(double p_seconds, double p_rate = 60.0) {
 		for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {
@@ -59,14 +56,9 @@ struct StrainScene {
 			}
 			step();
 		}
-		std::memcpy(state->before, state->strains, sizeof(state->before));
-		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-			for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
-				for (int c = 0; c < 3; c++) {
-					state->masses_before[c][i][b] = offset(b, GRASS_STRAIN_FIRST_MASS + 2 * i)[c];
-				}
-			}
-		}
+		TileState &tile = *blades.tile;
+		std::memcpy(tile.strains_before, tile.strains, sizeof(tile.strains));
+		std::memcpy(tile.before, tile.knots, sizeof(tile.knots));
 		blades.params.damping_ratio = damping;
 		for (double &load : blades.params.load) {
 			load = 0.0;
@@ -74,17 +66,12 @@ struct StrainScene {
 		blades.clock.reset();
 	}
 
-	Eigen::Vector3f offset(int p_blade, int p_knot) const {
-		const int free = p_knot - GRASS_CLAMPED_KNOTS;
-		const auto &offsets = state->offsets;
-		return free < 0 ? Eigen::Vector3f::Zero()
-						: Eigen::Vector3f(offsets[0][free][p_blade], offsets[1][free][p_blade], offsets[2][free][p_blade]);
-	}
-	Eigen::Vector3f knot(int p_blade, int p_knot) const { return blades.rest(p_blade, p_knot) + offset(p_blade, p_knot); }
+	Eigen::Vector3f offset(int p_blade, int p_knot) const { return knot(p_blade, p_knot) - blades.rest(p_blade, p_knot); }
+	Eigen::Vector3f knot(int p_blade, int p_knot) const { return blades.knot(p_blade, p_knot); }
 	// The largest of them, whatever it is of; NaN if one is.
 	float largest_number() const {
 		float most = 0.0f;
-		for (const auto &row : state->strains) {
+		for (const auto &row : blades.tile->strains) {
 			for (const float number : row) {
 				most = std::abs(number) <= most || std::isnan(most) ? most : std::abs(number);
 			}

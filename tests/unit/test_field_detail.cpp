@@ -71,31 +71,31 @@ TEST_CASE("field: nothing is left out without frames, with plants, with WHOLE, o
 	}) == 0);
 }
 
-TEST_CASE("field: chains are halved in far tiles once their blades are calm and no body is near, and only by METHOD_DIRECT") {
-	const auto count = [](float p_away, bool p_leaves, Method p_method = Method::DIRECT) {
+TEST_CASE("field: a tile's blades move by their strains some time after a body was near, sooner the faster swings die down") {
+	const auto count = [](bool p_leaves, double p_damping) {
 		FieldScene scene;
-		scene.setup.method = scene.params.solver.method = p_method;
+		scene.params.solver.damping_ratio = p_damping;
 		scene.params.sleep_delay = 60.0;
 		scene.field.set(scene.setup, scene.field.bounds_of(scene.setup), nullptr, {}, scene.params);
-		scene.field.see(scene.simulator, view_from(p_away), true);
+		scene.field.see(scene.simulator, view_from(2.0f), true);
 		scene.put_ball({ 0.5, 0.2, 0.5 });
-		int halved = 0;
-		for (int i = 0; i < 60; i++) {
+		int ticks = 0;
+		for (int i = 0; i < 160; i++) {
 			if (i == 10 && p_leaves) {
 				scene.bodies.clear();
 			}
 			scene.tick();
-			const int now = int(std::ranges::count_if(
-					scene.simulator.slots, [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_HALVED) != 0; }));
-			CHECK((i > 10 || now < int(scene.simulator.slots.size()))); // the one under the ball has none
-			halved = now;
+			const auto alone = std::ranges::count_if(
+					scene.simulator.slots, [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_ALONE) != 0; });
+			CHECK((i > 10 || alone < int(scene.simulator.slots.size()))); // not the one under the ball
+			ticks += i > 10 && alone == int(scene.simulator.slots.size()) ? 1 : 0;
 		}
-		return halved;
+		return ticks;
 	};
-	CHECK(count(30.0f, true) > 0);
-	CHECK(count(30.0f, true) > count(30.0f, false));
-	CHECK(count(2.0f, true) == 0);
-	CHECK(count(30.0f, true, Method::PBD) == 0);
+	CHECK(count(false, 0.5) == 0);
+	CHECK(count(true, 0.5) > 60);
+	CHECK(count(true, 1.0) > count(true, 0.5));
+	CHECK(count(true, 0.25) < count(true, 0.5));
 }
 
 TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above its least") {

@@ -166,12 +166,13 @@ TEST_CASE("slot passes: tiles of which few blades are simulated share a workgrou
 	}
 }
 
-TEST_CASE("slot passes: halved chains have workgroups of their own, unless a body is near or their pass is not compiled") {
+TEST_CASE(
+		"slot passes: tiles that move by their strains have workgroups of their own, unless a body is near or their pass is not compiled") {
 	const std::vector<GrassCollider> colliders(1, GrassCollider{});
 	const std::vector<uint8_t> sharp{ 0 };
 	const std::vector<uint32_t> list{ 0 };
-	std::vector<GrassSlot> slots{ make_slot(0, 0, GRASS_SLOT_HALVED), make_slot(0, 0, 0), make_slot(0, 1, GRASS_SLOT_HALVED),
-		make_slot(0, 0, GRASS_SLOT_HALVED | GRASS_SLOT_FRESH), make_slot(0, 0, GRASS_SLOT_HALVED) };
+	std::vector<GrassSlot> slots{ make_slot(0, 0, GRASS_SLOT_ALONE), make_slot(0, 0, 0), make_slot(0, 1, GRASS_SLOT_ALONE),
+		make_slot(0, 0, GRASS_SLOT_ALONE | GRASS_SLOT_FRESH), make_slot(0, 0, GRASS_SLOT_ALONE) };
 	for (GrassSlot &slot : slots) {
 		slot.blend.y = 48.0f;
 	}
@@ -182,14 +183,18 @@ TEST_CASE("slot passes: halved chains have workgroups of their own, unless a bod
 	input.slots = slots;
 	std::vector<GrassSlot> chosen(slots.size());
 	const SlotPasses passes = choose_passes(input, {}, { 64, false, true }, chosen);
-	CHECK(of(passes, SlotPass::HALVED).tiles() == 2);
-	CHECK(of(passes, SlotPass::HALVED).single.count == 0);
-	CHECK(of(passes, SlotPass::HALVED).many.count == 1); // they share it, whether or not others may
+	CHECK(of(passes, SlotPass::STRAINS).tiles() == 2);
+	CHECK(of(passes, SlotPass::STRAINS).single.count == 0);
+	CHECK(of(passes, SlotPass::STRAINS).many.count == 1); // they share it, whether or not others may
 	CHECK(of(passes, SlotPass::FREE).single.count == 2);
 	CHECK(of(passes, SlotPass::PLAIN).single.count == 1);
-	const SlotPasses whole = choose_passes(input, {}, { 64, false, false }, chosen);
-	CHECK(of(whole, SlotPass::HALVED).tiles() == 0);
-	CHECK(of(whole, SlotPass::FREE).single.count == 4);
+	const SlotPasses chains = choose_passes(input, {}, { 64, false, false }, chosen);
+	CHECK(of(chains, SlotPass::STRAINS).tiles() == 0);
+	CHECK(of(chains, SlotPass::FREE).single.count == 4);
+	const SlotGrowth grown{ 0, {}, {} };
+	input.growth = { &grown, 1 };
+	CHECK(of(choose_passes(input, {}, { 64, false, true }, chosen), SlotPass::STRAINS).tiles() == 0); // all have slot 0
+	input.growth = {};
 	input.step.contact.w = float(GRASS_METHOD_PBD);
-	CHECK(of(choose_passes(input, {}, { 64, false, true }, chosen), SlotPass::HALVED).tiles() == 0);
+	CHECK(of(choose_passes(input, {}, { 64, false, true }, chosen), SlotPass::STRAINS).tiles() == 0);
 }

@@ -47,17 +47,17 @@ void pluck(StrainScene &r_scene, int p_mode) {
 	}
 	const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> modes(spring, mass);
 	for (int i = 0; i < GRASS_STRAIN_BENDS; i++) {
-		r_scene.state->strains[i][0] = r_scene.state->before[i][0] =
+		r_scene.blades.tile->strains[i][0] = r_scene.blades.tile->strains_before[i][0] =
 				float(0.002 * modes.eigenvectors()(i, p_mode) / modes.eigenvectors().col(p_mode).norm());
 	}
 	for (int m = 0; m < GRASS_STRAIN_MASSES; m++) {
 		double offset = 0.0;
 		for (int i = 0; i < GRASS_STRAIN_BENDS; i++) {
-			offset += way(i, m) * double(r_scene.state->strains[i][0]) * 0.5;
+			offset += way(i, m) * double(r_scene.blades.tile->strains[i][0]) * 0.5;
 		}
 		// The width is along z, so a bend about it moves the blade along x.
-		r_scene.state->masses_before[0][m][0] = r_scene.state->offsets[0][GRASS_STRAIN_FIRST_MASS + 2 * m - GRASS_CLAMPED_KNOTS][0] =
-				float(offset);
+		const int knot = GRASS_STRAIN_FIRST_MASS + 2 * m;
+		r_scene.blades.set_knot(0, knot, r_scene.blades.rest(0, knot) + Eigen::Vector3f(float(offset), 0.0f, 0.0f));
 	}
 }
 // Swings a second.
@@ -134,8 +134,8 @@ TEST_CASE("strains: the energy of an undamped blade that is let go never grows b
 				float first = 0.0f, most = 0.0f;
 				for (int i = 0; i < int(4.0 * rate); i++) {
 					scene.step(1.0 / rate);
-					first = i == 0 ? scene.energy : first;
-					most = std::max(most, scene.energy);
+					first = i == 0 ? scene.blades.energy : first;
+					most = std::max(most, scene.blades.energy);
 				}
 				INFO(wide, " x, load ", gamma, ", ", rate, " steps a second: ", most / first);
 				CHECK(double(first) > 0.001 * gamma * gamma * share * share * 0.25); // 1/40 of a slight sag's

@@ -25,8 +25,8 @@ FIGURES = ("registers", "spills", "scratch", "code")
 COLUMNS = (*KEYS, *FIGURES, "seconds")
 MARGIN = 1.05  # a figure may grow so far
 METHODS = {"DIRECT": 0, "PBD": 1}  # values of GRASS_CONSTANT_METHOD
-TILES = {"one": 0, "crowd": 1, "many": 2, "halved": 3}  # values of GRASS_CONSTANT_TILES
-CROWDED, HALVED = "edges", "free"  # the variants that fields take for crowds and for halved chains (gpu/field_passes.cpp)
+TILES = {"one": 0, "crowd": 1, "many": 2}  # values of GRASS_CONSTANT_TILES
+CROWDED = "edges"  # the variant that fields take for crowds (gpu/field_passes.cpp)
 LETTERS = {"buffer": "b", "uniforms": "u", "image": "i", "texture": "t", "plain texture": "p", "sampler": "s"}  # of pipelines.c
 
 
@@ -112,8 +112,6 @@ def pipelines(with_species=True):
 
 def is_wanted(name, method, tiles):
 	"""Whether a field takes the variant `name` of simulate by this method for such tiles."""
-	if tiles == "halved":
-		return name.endswith(HALVED) and method == "DIRECT"
 	return tiles != "crowd" or name.endswith(CROWDED)
 
 

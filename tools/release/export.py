@@ -69,7 +69,7 @@ def benchmark(out, times):
 	engine.import_project()
 	folder.mkdir(parents=True, exist_ok=True)
 	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
-	add(folder, [*(BUILD / "bench").glob("simulate_*.spv"), ALL_PARTS])
+	add(folder, [*(BUILD / "bench").glob("*.spv"), ALL_PARTS])
 	accuracy.record(folder / "packs", False)
 	(folder / "commit").write_text(commits.measured() + "\n")
 	(folder / "parts").write_text("\n".join([*parts.listing(times), ""]))

@@ -12,7 +12,7 @@ namespace grass {
 struct BackendStatistics {
 	int64_t steps = 0; // simulation dispatches (GPU) or passes over the awake tiles (CPU)
 	int64_t simulated_blades = 0; // blades stepped
-	int64_t simulated_knots = 0; // knots that these steps moved: a halved chain has every second one
+	int64_t strain_blades = 0; // of simulated_blades, those that moved by their strains
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
 	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares

@@ -14,9 +14,8 @@ namespace {
 // Grass this far outside the view counts as visible, so that it is up to date when a camera turns towards it. Metres. Smaller: bodies
 // visibly push into the grass when the camera turns fast. Larger: more invisible grass is simulated.
 constexpr float VIEW_MARGIN = 3.0f;
-// Halved chains carry the blades of a tile if none has more energy than one that is so far from rest at its tip alone, lengths of the
-// longest blade. More: a blade that a body has just flung is off by some centimetres.
-constexpr double HALVED_BELOW = 0.35;
+// Blades move by their strains once a swing has died down to a tenth since something was near them, at the latest after this, seconds.
+constexpr double MOST_ALONE_TIME = 2.0;
 
 } // namespace
 
@@ -116,8 +115,7 @@ TileParams Field::tile_params() const {
 	params.sleep_delay = _params.sleep_delay;
 	params.sleep_energy = _params.calm_energy();
 	params.still_delay = _params.calm_time();
-	const bool has_halved = HAS_HALVED_CHAINS && _setup.method == Method::DIRECT && _setup.patch;
-	params.halved_energy = has_halved ? _params.energy_within(HALVED_BELOW * double(_setup.blade_length())) : 0.0;
+	params.alone_time = std::min(0.5 * _params.calm_time(), MOST_ALONE_TIME); // calm is a hundredth
 	params.settle_time = _params.settle_time;
 	params.overhang = _bounds ? _bounds->get_overhang() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;

@@ -100,15 +100,6 @@ int TileDetail::simulated_of(int p_x, int p_z, int p_now, int p_drawn) const {
 	return std::min(p_drawn, kept_blades(p_x, p_z, p_now, coarse_lod()));
 }
 
-bool TileDetail::is_halved(int p_x, int p_z, bool p_now) const {
-	const bool is_asked = !_asked.empty() && _asked.contains(_field.grid.get_index(p_x, p_z));
-	if (_sees_all || is_asked) {
-		return false;
-	}
-	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::FULL;
-	return segments_within(p_x, p_z, ground, p_now ? SLACK : KEPT_SLACKS * SLACK) <= HALVED_SEGMENTS;
-}
-
 // Added instead of multiplied, so that it also works where pixels_min is 0.
 LodParams TileDetail::coarse_lod() const {
 	LodParams lod = _view.lod;
@@ -141,17 +132,6 @@ bool TileDetail::is_within(int p_x, int p_z, double p_distance) const {
 Eigen::Vector3f TileDetail::middle_of(int p_x, int p_z, const TileCover::Tile &p_ground) const {
 	const float half_height = 0.5f * (_field.height + p_ground.high - p_ground.low);
 	return _field.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, p_ground.low + half_height, 0.0f);
-}
-
-// [Eq L4] Returns how many segments its blades need, in the picture or in shadows, while each eye is within p_slack metres.
-float TileDetail::segments_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const {
-	const Eigen::Vector3f middle = middle_of(p_x, p_z, p_ground);
-	float segments = 0.0f;
-	for (const ViewCamera &camera : _view.cameras) {
-		const float pixel = camera.pixel_at(nearest(camera, (camera.eye - middle).norm(), p_slack, p_slack > SLACK ? KEPT_SHARE : 0.0f));
-		segments = std::max(segments, grass_lod_needed(_field.size.length, _view.lod.error * pixel));
-	}
-	return segments;
 }
 
 // Returns what the tile needs while each eye is within p_slack metres.

@@ -25,9 +25,6 @@ public:
 	// Up to here from an eye every drawn blade is simulated, whatever the coarseness, metres: bodies that somebody looks at.
 	static constexpr double FINE_DISTANCE = 4.0;
 
-	// Halved chains carry blades that are drawn with so many segments at most. More: their curves are visibly angular.
-	static constexpr float HALVED_SEGMENTS = 3.0f;
-
 	// Simulates all blades of every tile. Returns whether blades_of() may return other numbers than before.
 	bool see_all();
 	// Simulates what p_view's cameras need; without cameras, everything. Must be called in each frame. p_cover: of the field's map, or
@@ -47,8 +44,6 @@ public:
 	int blades_of(int p_x, int p_z, int p_now) const;
 	// Returns how many of them are simulated, in the same way. p_drawn: of blades_of().
 	int simulated_of(int p_x, int p_z, int p_now, int p_drawn) const;
-	// [Eq 51] Returns whether the blades are drawn with so few segments that halved chains carry them. p_now: whether they were so far.
-	bool is_halved(int p_x, int p_z, bool p_now) const;
 	// Returns whether an eye may be within p_distance metres of the tile's middle. True while everything is simulated whole.
 	bool is_within(int p_x, int p_z, double p_distance) const;
 	size_t get_memory_usage() const; // bytes
@@ -57,7 +52,6 @@ private:
 	bool forget_asked();
 	bool is_near(const CullField &p_field, const FieldView &p_view, const std::shared_ptr<const TileCover> &p_cover) const;
 	Eigen::Vector3f middle_of(int p_x, int p_z, const TileCover::Tile &p_ground) const;
-	float segments_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const;
 	int blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack, const LodParams &p_lod) const;
 	int kept_blades(int p_x, int p_z, int p_now, const LodParams &p_lod) const;
 	LodParams coarse_lod() const;

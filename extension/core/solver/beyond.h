@@ -96,11 +96,11 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	r_beyond.pull = r_beyond.pull + force;
 	r_beyond.p = r_beyond.p + force;
 	add_identity(r_beyond.P, weight);
-	Touch<T> ground = find_ground_touch(p_stage.base[p_knot], p_blade.knots[p_knot], length_at_ground(p_blade, p_knot - 1),
-			p_terms.ground_gap, p_blade.rest[p_knot].y, p_terms.friction);
+	Touch<T> ground = find_ground_touch(p_stage.base[p_knot], p_blade.knots[p_knot], p_blade.lengths[p_knot - 1], p_terms.ground_gap,
+			p_blade.rest[p_knot].y, p_terms.friction);
 	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // else a free blade would hook into it
 	if (any(ground.depth > T(0.0f))) {
-		add_touch(r_beyond, ground, p_stage, Vec3<T>{}, length_at_ground(p_blade, p_knot - 1), weight, p_bending, T(1.0f));
+		add_touch(r_beyond, ground, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 	}
 	if (!any(p_touch.depth > T(0.0f))) {
 		return;

@@ -14,16 +14,15 @@ template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p
 }
 
 template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
-	const T above = p_knot < p_blade.tip ? p_blade.lengths[p_knot < p_blade.tip ? p_knot : 0] : T(0.0f);
+	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
 	const T even = (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
-	return even * section_at(float(whole_knot(p_knot, p_blade.is_halved)), p_chain.thins);
+	return even * section_at(float(p_knot), p_chain.thins);
 }
 
 // [Eq 23], [Eq 44] Returns the stiffness of a joint that resists by p_bending.
 template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p_joint, const ChainTerms<T> &p_chain, const T &p_bending) {
 	const T stands_for = joint_length(p_joint, p_blade.blade_length, p_blade.lengths[p_joint - 1], p_blade.lengths[p_joint]);
-	const int place = whole_knot(p_joint, p_blade.is_halved);
-	return p_bending * joint_section(place, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
+	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
 // [Eq 24] Sets where the knots would go without springs and contact: by p_way from p_base.
@@ -35,7 +34,7 @@ template <class T> GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, c
 // [Eq 17] Makes the first guess: the targets, moved to their segments' lengths from root to tip. p_lacks: the rest of the way, metres.
 template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage, const Vec3<T> &p_lacks) {
 	Vec3<T> carry{};
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> guess = p_stage.target[k] - p_lacks;
 		const Vec3<T> found = (guess + carry) - r_blade.knots[k - 1];
 		carry = carry + way_to_length(found, r_blade.lengths[k - 1], rest_segment(r_blade, k - 1) - found);
@@ -54,7 +53,7 @@ template <class T>
 GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
 	Vec3<T> face = face_of(p_blade.width, rest_segment(p_blade, 0));
-	for (int s = 1; s < p_blade.tip; s++) {
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
 		const Vec3<T> e = segment(p_blade, s);
 		const Vec3<T> axis = e * (p_blade.twist[s] / maximum(p_blade.lengths[s], T(1e-12f)));
@@ -63,7 +62,7 @@ GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p
 		frame = after(turn, frame);
 		const Vec3<T> before = face;
 		face = face_of(turned(frame, p_blade.width), e);
-		r_gains[s].axis = stiff_axis(before, face, p_chain.stiffer * section_at(float(whole_knot(s, p_blade.is_halved)), p_chain.thins));
+		r_gains[s].axis = stiff_axis(before, face, p_chain.stiffer * section_at(float(s), p_chain.thins));
 	}
 }
 
@@ -76,9 +75,9 @@ GRASS_INLINE Touches<T> solve_chain(
 	Beyond<T> beyond{};
 	beyond.caution = p_stage.caution;
 	Touch<T> touch{}; // of knot s + 1
-	for (int s = r_blade.tip; s >= 1; s--) {
+	for (int s = GRASS_SEGMENTS; s >= 1; s--) {
 		const Touch<T> first = s >= GRASS_CLAMPED_KNOTS ? find_touch(r_blade, p_terms, p_stage.base[s], s) : Touch<T>{};
-		if (s == r_blade.tip) {
+		if (s == GRASS_SEGMENTS) {
 			touch = first;
 			continue;
 		}
@@ -93,9 +92,9 @@ GRASS_INLINE Touches<T> solve_chain(
 	}
 	Vec3<T> shift{}, turn{};
 	T twist_before(0.0f);
-	const T most_twist = T(MOST_TWIST) * segments_in_one(r_blade);
+	const T most_twist = T(MOST_TWIST);
 	Vec3<T> parent = r_blade.knots[1];
-	for (int s = 1; s < r_blade.tip; s++) {
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const JointGain<T> &gain = gains[s];
 		const Vec3<T> stiffened = turn + gain.axis * dot(gain.axis, turn);
 		turn = gain.turn + product_of(gain.spring, stiffened) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);

@@ -10,6 +10,8 @@ namespace grass {
 
 #include "core/base/lane_words.h"
 
+#include "solver/plane.inc"
+
 #include "solver/push.inc"
 
 #include "solver/lay.inc"
@@ -149,7 +151,7 @@ template <class T, class Mask> GRASS_INLINE Mask finish(Blade<T> &r_blade, const
 	const T zero(0.0f);
 	Mask is_touched = zero > T(1.0f);
 	Vec3<T> carry{};
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> parent = r_blade.knots[k - 1];
 		const Vec3<T> rest = rest_segment(r_blade, k - 1);
 		const T rest_length = r_blade.lengths[k - 1];
@@ -159,7 +161,7 @@ template <class T, class Mask> GRASS_INLINE Mask finish(Blade<T> &r_blade, const
 
 		const Vec3<T> straight = knot - parent;
 		Vec3<T> segment = straight;
-		const T gap = minimum(p_terms.ground_gap * length_at_ground(r_blade, k - 1), r_blade.rest[k].y);
+		const T gap = minimum(p_terms.ground_gap * r_blade.lengths[k - 1], r_blade.rest[k].y);
 		for (int round = 0; round < PUSH_ROUNDS; round++) {
 			const Vec3<T> start = segment;
 			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);

@@ -100,7 +100,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	const Mask none = p_is_near & !p_is_near;
 	Vec3<T> guess[GRASS_KNOTS];
 	T twist[GRASS_SEGMENTS];
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		guess[k] = r_blade.knots[k];
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
@@ -127,7 +127,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 			continue;
 		}
 		is_hit = is_blow;
-		for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_hit, guess[k], r_blade.knots[k]);
 			r_blade.twist[k - 1] = select(is_hit, twist[k - 1], r_blade.twist[k - 1]);
 		}
@@ -237,7 +237,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	const T kept = select(hold.may_stick, rubbed(seconds), T(1.0f));
 	const T carries = select(is_free, free.carries, kept / euler_weight);
 	const T loaded = stage.span * stage.span / select(is_free, free.weight, euler_weight);
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		set_target(stage, k, start.place[k], start.moved[k] * carries + p_terms.load * loaded);
 	}
 	follow_targets(r_blade, stage, p_terms.load * select(is_free, loaded, T(0.0f)));
@@ -250,13 +250,13 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	if (has_free) {
 		leave_middle(r_blade, free, is_free, middle);
 	}
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = start.place[k];
 		r_blade.knots[k] = select(stays, start.place[k], r_blade.knots[k]);
 		r_blade.twist[k - 1] = select(stays, start.twist[k - 1], r_blade.twist[k - 1]);
 	}
 	if (any(is_in_parts)) {
-		for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_in_parts, parted.knots[k], r_blade.knots[k]);
 			r_blade.before[k] = select(is_in_parts, parted.before[k], r_blade.before[k]);
 			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);

@@ -19,10 +19,10 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 	Start<T> start;
 	const T limit = p_terms.max_move * p_blade.blade_length; // in the step before
 	r_fastest = T(0.0f);
-	for (int k = 0; k <= p_blade.tip; k++) {
+	for (int k = 0; k < GRASS_KNOTS; k++) {
 		start.place[k] = p_blade.knots[k];
 	}
-	for (int k = GRASS_CLAMPED_KNOTS; k <= p_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		const T size = length(moved);
 		const T keep = select(size > limit, limit / maximum(size, T(1e-12f)), T(1.0f));
@@ -42,10 +42,9 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 // [Eq 22] Makes the step according to how lively the blade was in the step before.
 template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Start<T> &p_start) {
 	Liveliness<T> lively = begin_liveliness<T>();
-	for (int s = 1; s < p_blade.tip; s++) {
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		add_to_liveliness(lively, p_start.place[s + 1] - p_start.place[s], p_start.moved[s + 1] - p_start.moved[s], p_blade.lengths[s]);
 	}
-	lively.bending = lively.bending / (segments_in_one(p_blade) * segments_in_one(p_blade));
 	return free_step(lively, p_terms.wild_move * p_terms.wild_move, p_terms.drag * p_terms.seconds, p_terms.still_turns);
 }
 
@@ -61,10 +60,10 @@ template <class T, class Mask>
 GRASS_INLINE void go_to_middle(Blade<T> &r_blade, Stage<T> &r_stage, const Start<T> &p_start, const FreeStep<T> &p_free,
 		const Mask &p_is_free, Middle<T> &r_middle) {
 	Vec3<T> carry{}, moved{}; // of the knot before
-	for (int k = 0; k <= r_blade.tip; k++) {
+	for (int k = 0; k < GRASS_KNOTS; k++) {
 		r_middle.guess[k] = r_middle.place[k] = r_blade.knots[k];
 	}
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> guess = r_middle.guess[k] - r_middle.guess[k - 1];
 		const Vec3<T> start = p_start.place[k] - p_start.place[k - 1];
 		carry = carry + middle_change(p_free, start, guess - start, p_start.moved[k] - moved, r_blade.lengths[k - 1]);
@@ -81,7 +80,7 @@ GRASS_INLINE void go_to_middle(Blade<T> &r_blade, Stage<T> &r_stage, const Start
 template <class T, class Mask>
 GRASS_INLINE void leave_middle(Blade<T> &r_blade, const FreeStep<T> &p_free, const Mask &p_is_free, const Middle<T> &p_middle) {
 	Vec3<T> carry{}, shift{}; // of the knot before
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> guess = p_middle.guess[k] - p_middle.guess[k - 1];
 		const Vec3<T> own_shift = r_blade.knots[k] - p_middle.place[k];
 		carry = carry + end_change(p_free, guess, own_shift - shift, r_blade.lengths[k - 1]);

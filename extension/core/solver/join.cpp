@@ -61,6 +61,10 @@ void join_blade(TileState &r_state, int p_blade, int p_other, float p_share) {
 		parent_offset = offset;
 	}
 	r_state.calm[p_blade] = r_state.calm[p_other];
+	for (int n = 0; n < GRASS_STRAINS; n++) {
+		r_state.strains[n][p_blade] = r_state.strains[n][p_other];
+		r_state.strains_before[n][p_blade] = r_state.strains_before[n][p_other];
+	}
 }
 
 } // namespace

@@ -11,8 +11,6 @@ namespace grass {
 #define GRASS_FUNCTION inline constexpr
 #include "core/base/lane_words.h"
 
-#include "solver/halved.inc"
-
 #include "solver/leaves.inc"
 
 #include "core/base/lane_words_end.h"

@@ -101,7 +101,7 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 			is_laid = is_laid | (is_inside & !(moved > of_step * T(CARRY_FROM)));
 		}
 	}
-	is_buried = is_buried & (p_blade.knots[p_blade.tip].y < p_blade.blade_length * T(LYING));
+	is_buried = is_buried & (p_blade.knots[GRASS_SEGMENTS].y < p_blade.blade_length * T(LYING));
 	return { is_buried, !is_fast, is_laid };
 }
 

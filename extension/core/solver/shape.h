@@ -18,9 +18,6 @@ template <class T> struct Blade {
 	Vec3<T> root; // relative to the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 	T blade_length; // of the whole blade
-	int tip = GRASS_KNOTS - 1; // number of its last knot
-	bool is_halved = false; // [Eq 51] it has every second knot
-	Vec3<T> between[GRASS_HALVED_KNOTS]; // of a halved chain: the knot that is left out below each knot, at rest
 };
 
 // The coefficients of a GrassStep, and other values that are the same for all blades of a tile.
@@ -71,26 +68,11 @@ template <class T> GRASS_INLINE auto is_of_edge(const Blade<T> &p_blade, int p_k
 	return maximum(below, beyond) > p_blade.lengths[p_knot - 1] * T(STEEP);
 }
 
-// [Eq 51] Returns how many segments of the whole blade a free segment, or a joint, of the chain stands for.
-template <class T> GRASS_INLINE T segments_in_one(const Blade<T> &p_blade) {
-	return T(p_blade.is_halved ? 2.0f : 1.0f);
-}
-
-// Returns the length by which segment p_segment feels the ground, metres: that of a segment of the whole blade.
-template <class T> GRASS_INLINE T length_at_ground(const Blade<T> &p_blade, int p_segment) {
-	return p_blade.lengths[p_segment] * T(p_blade.is_halved ? 0.5f : 1.0f);
-}
-
 template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	r_blade.blade_length = T(0.0f);
-	for (int k = 0; k < r_blade.tip; k++) {
+	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		r_blade.lengths[k] = length(rest_segment(r_blade, k));
-		if (r_blade.is_halved && k > 0) {
-			const Vec3<T> &between = r_blade.between[k + 1];
-			r_blade.blade_length = r_blade.blade_length + length(between - r_blade.rest[k]) + length(r_blade.rest[k + 1] - between);
-		} else {
-			r_blade.blade_length = r_blade.blade_length + r_blade.lengths[k];
-		}
+		r_blade.blade_length = r_blade.blade_length + r_blade.lengths[k];
 	}
 }
 

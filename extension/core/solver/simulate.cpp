@@ -100,7 +100,9 @@ void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
 	std::vector<AwakeSlot> awake;
 	awake.reserve(p_input.slots.size());
-	int64_t blades = 0, knots = 0;
+	const std::span<const GrassStep> steps =
+			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
+	const std::span<const StrainSection<float>> sections = _sections.find(steps);
 	auto growth = p_input.growth.begin();
 	for (const GrassSlot &slot : p_input.slots) {
 		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
@@ -117,20 +119,19 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 			state = std::make_unique<TileState>();
 		}
 		state->left_out = whole_groups(slot.blend.y);
-		state->is_halved = is_halved(slot, p_input.step);
+		state->sections = takes_strains(slot, p_input) ? sections.data() : nullptr;
 		state->is_far = slot.list.w & GRASS_SLOT_FAR;
-		blades += BLADES - state->left_out;
-		knots += int64_t(BLADES - state->left_out) * free_knots(state->is_halved);
+		const int blades = BLADES - state->left_out;
+		_simulated_blades += blades;
+		_strain_blades += state->sections != nullptr ? blades : 0;
 		for (; growth != p_input.growth.end() && growth->slot < slot.tile.w; ++growth) { // both ascend by slot
 			_growth_looks++;
 		}
 		_growth_looks++;
 		awake.push_back({ slot, growth != p_input.growth.end() && growth->slot == slot.tile.w ? &*growth : nullptr });
 	}
-	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(awake[size_t(p_index)], p_input, p_step); });
+	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(awake[size_t(p_index)], p_input, steps, p_step); });
 	p_parallel_for(int(p_input.followers.size()), [&](int p_index) { join(p_input.followers[size_t(p_index)]); });
-	_simulated_blades += blades;
-	_simulated_knots += knots;
 }
 
 // Computes the rest pose: the patch's, grown by the clump at the root, or as a map and species define it (p_growth).
@@ -202,7 +203,7 @@ void CpuPool::wake(const GrassSlot &p_slot) {
 	std::memset(state.calm, 0, sizeof(state.calm));
 }
 
-void CpuPool::step_slot(const AwakeSlot &p_awake, const StepInput &p_input, TileStep p_step) {
+void CpuPool::step_slot(const AwakeSlot &p_awake, const StepInput &p_input, std::span<const GrassStep> p_steps, TileStep p_step) {
 	const GrassSlot &record = p_awake.record;
 	const bool is_fresh = record.list.w & GRASS_SLOT_FRESH;
 	if (is_fresh || p_awake.growth != nullptr) {
@@ -231,9 +232,7 @@ void CpuPool::step_slot(const AwakeSlot &p_awake, const StepInput &p_input, Tile
 	}
 	const float blend = record.list.w & GRASS_SLOT_SETTLING ? record.blend.x : 0.0f;
 	const size_t slot = size_t(record.tile.w);
-	const std::span<const GrassStep> steps =
-			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
-	_energy[slot] = p_step(state, steps, blend, colliders);
+	_energy[slot] = p_step(state, p_steps, blend, colliders);
 	state.air = nullptr;
 	_bends[slot] = bend_of(state);
 }

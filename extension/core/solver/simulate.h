@@ -6,6 +6,7 @@
 #include "core/base/parallel_for.h"
 #include "core/blades/patch.h"
 #include "core/solver/step.h"
+#include "core/solver/strain/sections.h"
 #include "core/solver/tile_step.h"
 
 #include <Eigen/Core>
@@ -50,7 +51,7 @@ public:
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
 
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
-	int64_t get_simulated_knots() const { return _simulated_knots; } // likewise: the free ones of their chains
+	int64_t get_strain_blades() const { return _strain_blades; } // likewise: those that moved by their strains
 	int64_t get_growth_looks() const { return _growth_looks; } // likewise: at records of StepInput::growth, to find those of the slots
 	int64_t get_memory_usage() const; // bytes
 	static int64_t find_slot_bytes(); // of a slot that is used
@@ -67,13 +68,14 @@ private:
 	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
 	void wake(const GrassSlot &p_slot);
 	void keep_shapes(const GrassSlot &p_slot);
-	void step_slot(const AwakeSlot &p_awake, const StepInput &p_input, TileStep p_step);
+	void step_slot(const AwakeSlot &p_awake, const StepInput &p_input, std::span<const GrassStep> p_steps, TileStep p_step);
 
 	std::shared_ptr<const Patch> _patch;
 	std::vector<std::unique_ptr<TileState>> _slots;
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
-	int64_t _simulated_blades = 0, _simulated_knots = 0, _growth_looks = 0;
+	int64_t _simulated_blades = 0, _strain_blades = 0, _growth_looks = 0;
+	StrainSections _sections;
 };
 
 } // namespace grass

@@ -51,6 +51,10 @@ int energy_rank(float p_energy) {
 	return LIVELIEST_RANK + std::clamp(half_octave_of(MOST_ENERGY) - half_octave_of(p_energy), 0, HALF_OCTAVES - 1);
 }
 
+uint32_t count_blades(const GrassSlot &p_slot) {
+	return p_slot.list.w & GRASS_SLOT_RETIRED ? 0u : uint32_t(GRASS_BLADES_PER_TILE) - uint32_t(p_slot.blend.y);
+}
+
 // Finds for each slot the kind of its workgroup and its rank.
 class SlotOrder {
 public:
@@ -63,7 +67,7 @@ public:
 	size_t find_kind(const GrassSlot &p_slot) const {
 		const SlotPass pass = find_pass(p_slot);
 		size_t lanes = 0;
-		const bool may_share = pass == SlotPass::HALVED || (_limits.may_share && pass != SlotPass::CROWD);
+		const bool may_share = pass == SlotPass::STRAINS || (_limits.may_share && pass != SlotPass::CROWD);
 		while (may_share && lanes + 1 < LANES.size() && count_blades(p_slot) <= LANES[lanes + 1]) {
 			lanes++;
 		}
@@ -84,14 +88,10 @@ private:
 			return SlotPass::PLAIN;
 		}
 		if (p_slot.list.z == 0) {
-			return _limits.may_halve && is_halved(p_slot, _input.step) ? SlotPass::HALVED : SlotPass::FREE;
+			return _limits.has_strains && takes_strains(p_slot, _input) ? SlotPass::STRAINS : SlotPass::FREE;
 		}
 		return p_slot.list.z > GRASS_SHARED_COLLIDERS ? SlotPass::CROWD : has_any(p_slot, _input.sharp) ? SlotPass::EDGES : SlotPass::PLAIN;
 	}
-	static uint32_t count_blades(const GrassSlot &p_slot) {
-		return p_slot.list.w & GRASS_SLOT_RETIRED ? 0u : uint32_t(GRASS_BLADES_PER_TILE) - uint32_t(p_slot.blend.y);
-	}
-
 	const StepInput &_input;
 	GroupLimits _limits;
 	std::vector<uint8_t> _fast;
@@ -102,7 +102,7 @@ private:
 // workgroup.
 SlotGroups make_groups(
 		std::span<GrassSlot> r_slots, uint32_t p_first, uint32_t p_count, uint32_t p_lanes, uint32_t p_room, uint32_t &r_group) {
-	SlotGroups groups{ r_group, 0, 0 };
+	SlotGroups groups{ .first = r_group };
 	uint32_t colliders = 0;
 	uvec4 *group = nullptr;
 	for (uint32_t i = p_first; i < p_first + p_count; i++) {
@@ -120,6 +120,7 @@ SlotGroups make_groups(
 		slot.blend.w = float(colliders);
 		colliders += slot.list.z;
 		groups.tiles += slot.list.w & GRASS_SLOT_RETIRED ? 0 : 1;
+		groups.blades += count_blades(slot);
 	}
 	return groups;
 }
@@ -128,6 +129,7 @@ void add(SlotGroups &r_groups, const SlotGroups &p_more) {
 	r_groups.first = r_groups.count == 0 ? p_more.first : r_groups.first;
 	r_groups.count += p_more.count;
 	r_groups.tiles += p_more.tiles;
+	r_groups.blades += p_more.blades;
 }
 } // namespace
 
@@ -152,7 +154,7 @@ SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_ener
 		const uint32_t lanes = LANES[kind % LANES.size()];
 		const size_t number = kind / LANES.size();
 		PassGroups &pass = passes[number];
-		const bool is_single = lanes == LANES.front() && number != size_t(SlotPass::HALVED);
+		const bool is_single = lanes == LANES.front() && number != size_t(SlotPass::STRAINS);
 		add(is_single ? pass.single : pass.many, make_groups(r_slots, first, counts[kind], lanes, p_limits.room, group));
 		first += counts[kind];
 	}

@@ -12,18 +12,18 @@
 namespace grass {
 
 // The kinds of tiles by their colliders, each with a pass of its own, in the order of their work. CROWD: more than a workgroup shares.
-// EDGES: one is sharper than a blade's segment is long. PLAIN: the others; retired tiles too. FREE: none.
-// HALVED: none, and halved chains.
-enum class SlotPass { CROWD, EDGES, PLAIN, FREE, HALVED };
+// EDGES: one is sharper than a blade's segment is long. PLAIN: the others; retired tiles too. FREE: none. STRAINS: none for some time.
+enum class SlotPass { CROWD, EDGES, PLAIN, FREE, STRAINS };
 inline constexpr int SLOT_PASSES = 5;
 
 // Consecutive workgroups.
 struct SlotGroups {
 	uint32_t first = 0, count = 0;
 	int tiles = 0; // that they simulate
+	int64_t blades = 0; // of these
 };
 
-// The workgroups of a pass: those of one tile, and those of several tiles, of which few blades are simulated. Of HALVED all are of the
+// The workgroups of a pass: those of one tile, and those of several tiles, of which few blades are simulated. Of STRAINS all are of the
 // second kind, although one may have a single tile.
 struct PassGroups {
 	SlotGroups single, many;
@@ -33,7 +33,7 @@ struct PassGroups {
 struct GroupLimits {
 	uint32_t room = 0; // workgroups for which there is room to work at once; 0: none is needed
 	bool may_share = true; // one may have several tiles
-	bool may_halve = true; // SlotPass::HALVED may be used
+	bool has_strains = true; // SlotPass::STRAINS may be used
 };
 using SlotPasses = std::array<PassGroups, SLOT_PASSES>; // by SlotPass
 

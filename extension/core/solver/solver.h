@@ -17,7 +17,7 @@ namespace grass {
 // [Eq 18] Moves the blade a share of the way to rest, and stops its motion; a share of 1 arrives exactly.
 template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const auto arrives = p_terms.blend >= T(1.0f);
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> rest = r_blade.rest[k];
 		r_blade.knots[k] = select(arrives, rest, r_blade.knots[k] + (rest - r_blade.knots[k]) * p_terms.blend);
 		r_blade.before[k] = select(arrives, rest, r_blade.before[k] + (rest - r_blade.before[k]) * p_terms.blend);
@@ -28,13 +28,13 @@ template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T
 // Puts a blade to rest that has a number which is not finite or absurdly large. Such a number survives every stage.
 template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
 		sum = sum + (sum_of(knot) + absolute(r_blade.twist[k - 1]) * r_blade.blade_length);
 	}
 	const auto is_broken = !(sum < r_blade.blade_length * T(MOST_AWAY));
 	if (any(is_broken)) {
-		for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_broken, r_blade.rest[k], r_blade.knots[k]);
 			r_blade.before[k] = select(is_broken, r_blade.rest[k], r_blade.before[k]);
 			r_blade.twist[k - 1] = select(is_broken, T(0.0f), r_blade.twist[k - 1]);
@@ -45,13 +45,13 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 // [Eq 19] Returns half the speed squared plus the pull to rest at the start of a step, the mean over the free knots: J per kg of blade.
 template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum(0.0f);
-	for (int k = GRASS_CLAMPED_KNOTS; k <= p_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
 		sum = sum + dot(moved, moved) * p_terms.energy_of_speed +
-				dot(away, away) * (p_terms.energy_at_tip + p_terms.energy_at_root * T(root_share(whole_knot(k, p_blade.is_halved))));
+				dot(away, away) * (p_terms.energy_at_tip + p_terms.energy_at_root * T(root_share(k)));
 	}
-	return sum * T(0.5f / float(p_blade.tip + 1 - GRASS_CLAMPED_KNOTS));
+	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }
 
 // Returns true if the blade is at rest without a load and nothing can touch it there: a step would not change a single bit of it.
@@ -59,7 +59,7 @@ template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const Step
 	T sum = sum_of(p_terms.load) + p_blade.calm;
 	T longest(0.0f);
 	Extent<T> extent = extent_of(p_blade.rest[1], p_blade.rest[1]);
-	for (int k = GRASS_CLAMPED_KNOTS; k <= p_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		sum = sum + (sum_of(away) + sum_of(moved) + absolute(p_blade.twist[k - 1]));
@@ -79,7 +79,7 @@ template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const Step
 
 // Restores idle blades, whatever rounding did to them while their neighbours moved.
 template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, const Mask &p_is_idle) {
-	for (int k = GRASS_CLAMPED_KNOTS; k <= r_blade.tip; k++) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.knots[k] = select(p_is_idle, r_blade.rest[k], r_blade.knots[k]);
 		r_blade.before[k] = select(p_is_idle, r_blade.rest[k], r_blade.before[k]);
 		r_blade.twist[k - 1] = select(p_is_idle, T(0.0f), r_blade.twist[k - 1]);

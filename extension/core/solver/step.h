@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -18,20 +19,6 @@ struct SlotGrowth {
 	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground below the root, metres
 	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // the species of each blade
 };
-
-// Of a chain with fewer joints, every second one would be too few.
-inline constexpr bool HAS_HALVED_CHAINS = GRASS_KNOTS >= 16;
-
-// Returns whether the blades of the record take the step as halved chains, [Eq 51]: beside a body, and by METHOD_PBD, no chain is halved.
-inline bool is_halved(const GrassSlot &p_slot, const GrassStep &p_step) {
-	return (p_slot.list.w & (GRASS_SLOT_HALVED | GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) == GRASS_SLOT_HALVED && p_slot.list.z == 0 &&
-			int(p_step.contact.w) == GRASS_METHOD_DIRECT;
-}
-
-// Returns how many knots of a chain a step moves.
-inline constexpr int free_knots(bool p_is_halved) {
-	return (p_is_halved ? GRASS_HALVED_KNOTS : GRASS_KNOTS) - GRASS_CLAMPED_KNOTS;
-}
 
 // Views only: TileManager owns the arrays, which are valid until its next update().
 struct StepInput {
@@ -48,6 +35,15 @@ struct StepInput {
 	std::span<const GrassSlot> followers = {}; // After the step, blades of these tiles follow the simulated ones: records for join().
 	std::span<const uint8_t> sharp = {}; // For each collider: not 0 if a segment of a blade may lie across it, see is_sharp().
 };
+
+// Returns whether the blades of the record take the step by their strains. Those that a map has cut or let grow are scaled first, as
+// chains.
+inline bool takes_strains(const GrassSlot &p_slot, const StepInput &p_input) {
+	constexpr uint32_t OTHERS = GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED;
+	return (p_slot.list.w & (GRASS_SLOT_ALONE | OTHERS)) == GRASS_SLOT_ALONE && p_slot.list.z == 0 &&
+			int(p_input.step.contact.w) == GRASS_METHOD_DIRECT &&
+			!std::ranges::binary_search(p_input.growth, p_slot.tile.w, {}, &SlotGrowth::slot);
+}
 
 // How a tile fares when the pool is resized.
 struct SlotMove {

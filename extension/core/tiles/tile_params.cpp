@@ -19,7 +19,7 @@ TileParams TileParams::sanitised() const {
 	params.pool_size = std::clamp(pool_size, 0, MAX_POOL_SIZE);
 	params.sleep_delay = limit_or(sleep_delay, 3600.0, defaults.sleep_delay);
 	params.sleep_energy = limit_or(sleep_energy, 1e6, defaults.sleep_energy);
-	params.halved_energy = limit_or(halved_energy, 1e6, defaults.halved_energy);
+	params.alone_time = limit_or(alone_time, 1e6, defaults.alone_time);
 	params.settle_time = limit_or(settle_time, 60.0, defaults.settle_time);
 	params.still_delay = limit_or(still_delay, 3600.0, defaults.still_delay);
 	params.overhang = limit_or(overhang, 100.0, defaults.overhang);

@@ -32,8 +32,9 @@ struct TileParams {
 	double contact_distance = 0.0; // From an eye: contact_rate applies up to there. Metres; 0: everywhere.
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Largest energy of calm blades. J/kg.
-	// Below this energy, J/kg, halved chains carry blades; 0: never. Larger: blades that swing wildly are off by more.
-	double halved_energy = 0.0;
+	// Seconds for which nothing was near a tile's blades, before they move by their strains. Less: they jump then, by more than a
+	// millimetre. More: they cost twice as much for longer.
+	double alone_time = 0.5;
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	// SleepMode::ENERGY: a tile on which nothing changed for this time is no longer simulated. Too short: blades stop while they still
 	// swing. Seconds.

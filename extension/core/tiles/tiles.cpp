@@ -82,7 +82,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	_motions[size_t(p_slot)] = {};
 	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
 	const int drawn = _detail.blades_of(x, z, 0);
-	_blades[size_t(p_slot)] = { uint8_t(drawn), uint8_t(_detail.simulated_of(x, z, 0, drawn)), 0, _detail.is_halved(x, z, false) };
+	_blades[size_t(p_slot)] = { uint8_t(drawn), uint8_t(_detail.simulated_of(x, z, 0, drawn)), 0 };
 	_fresh.insert(p_slot);
 	_met.insert(p_slot); // deactivate_tiles() sets the timestamps
 	_stirred.insert(p_slot);

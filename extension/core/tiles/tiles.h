@@ -118,6 +118,7 @@ private:
 		double stirred = 0.0; // the last step in which a collider moved in the tile, came or left
 		double calm_since = NEVER;
 		double simulated = 0.0; // a duration: how long the tile has been simulated since it was stirred
+		double chained = 0.0; // the last step in which something was near its blades, or not all of those that are drawn were simulated
 	};
 
 	// The motion of a tile.
@@ -133,10 +134,9 @@ private:
 	};
 
 	// How many blades of a tile are drawn, and how many of them are simulated; in how many steps the others are where those that they
-	// follow have them; whether halved chains carry them.
+	// follow have them.
 	struct Blades {
 		uint8_t drawn = 0, simulated = 0, steps_apart = 0;
-		bool is_halved = false;
 	};
 
 	// State that is seldom read.
@@ -184,6 +184,7 @@ private:
 
 	void count_meetings(std::span<const ColliderShape> p_colliders);
 	void write_records();
+	bool is_alone(int p_slot, uint32_t p_colliders);
 	void write_follower(const GrassSlot &p_record);
 	void write_list();
 

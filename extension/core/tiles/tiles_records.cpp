@@ -44,6 +44,17 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_statistics.list_entries = int(kept);
 }
 
+// Returns whether the blades of a tile move by their strains: a chain that swings freely comes near to their few functions first.
+// p_colliders: in the tile.
+bool TileManager::is_alone(int p_slot, uint32_t p_colliders) {
+	const Blades &blades = _blades[size_t(p_slot)];
+	Times &times = _times[size_t(p_slot)];
+	if (p_colliders > 0 || _forces[size_t(p_slot)] != 0 || blades.drawn > blades.simulated || _fresh.has(p_slot)) {
+		times.chained = _time;
+	}
+	return _time - times.chained > _params.alone_time;
+}
+
 // Writes one record for each awake tile that is simulated.
 void TileManager::write_records() {
 	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
@@ -56,9 +67,7 @@ void TileManager::write_records() {
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
 		const bool is_far = _params.contact_distance > 0.0 && !_detail.is_within(x, z, _params.contact_distance);
-		const bool is_halved = _blades[size_t(slot)].is_halved && count == 0 && _forces[size_t(slot)] == 0 &&
-				_motions[size_t(slot)].energy < float(_params.halved_energy);
-		const uint32_t flags = (is_halved ? GRASS_SLOT_HALVED : 0) | (is_far ? GRASS_SLOT_FAR : 0) |
+		const uint32_t flags = (is_alone(slot, count) ? GRASS_SLOT_ALONE : 0) | (is_far ? GRASS_SLOT_FAR : 0) |
 				(_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
 				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
 		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are
@@ -110,8 +119,7 @@ std::span<const GrassSlot> TileManager::widen() {
 					{ 1.0f, float(left_out(wanted)), float(left_out(blades.drawn)), float(left_out(blades.simulated)) }, {} });
 		}
 		const int simulated = _detail.simulated_of(x, z, blades.simulated, wanted);
-		blades = { uint8_t(wanted), uint8_t(simulated), simulated == blades.simulated ? blades.steps_apart : STEPS_APART,
-			_detail.is_halved(x, z, blades.is_halved) };
+		blades = { uint8_t(wanted), uint8_t(simulated), simulated == blades.simulated ? blades.steps_apart : STEPS_APART };
 	}
 	_statistics.widened += _widened.size();
 	return _widened;

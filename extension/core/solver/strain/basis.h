@@ -2,7 +2,7 @@
 // The basis of a blade's strains, and what a species' section makes of it. docs/internals/solver.md, [Eq Q2] and [Eq Q7].
 #pragma once
 
-#include "core/strain/strain.h"
+#include "core/solver/strain/strain.h"
 
 namespace grass {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/strain/basis.h"
+#include "core/solver/strain/basis.h"
 
 #include <cmath>
 #include <utility>

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "core/solver/strain/sections.h"
+
+#include "core/solver/strain/basis.h"
+
+#include <cmath>
+
+namespace grass {
+
+std::span<const StrainSection<float>> StrainSections::find(std::span<const GrassStep> p_steps) {
+	_found_for.resize(p_steps.size(), { -1.0f, -1.0f });
+	_sections.resize(p_steps.size());
+	for (size_t i = 0; i < p_steps.size(); i++) {
+		const std::pair wanted{ p_steps[i].free_motion.y, p_steps[i].energy.w };
+		if (std::exchange(_found_for[i], wanted) != wanted) {
+			const double stiffer = double(wanted.second);
+			_sections[i] = make_strain_section(double(wanted.first) * GRASS_SEGMENTS, std::sqrt(stiffer * stiffer + 1.0));
+		}
+	}
+	return _sections;
+}
+
+} // namespace grass

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the sections of a field's species make of the basis, [Eq Q7], kept from step to step.
+#pragma once
+
+#include "core/base/layout.h"
+#include "core/solver/strain/strain.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace grass {
+
+class StrainSections {
+public:
+	// Returns those of the species that take these steps, in their order: found anew, some 50 microseconds each, only for those that have
+	// changed. Valid until the next call.
+	std::span<const StrainSection<float>> find(std::span<const GrassStep> p_steps);
+
+private:
+	std::vector<std::pair<float, float>> _found_for; // what of a step they depend on
+	std::vector<StrainSection<float>> _sections;
+};
+
+} // namespace grass
