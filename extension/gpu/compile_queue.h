@@ -21,7 +21,7 @@
 namespace grass {
 
 // The order in which a field needs its passes: those that draw it, those that bend it and that scripts query, then faster variants.
-enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, EDGES, CROWDS, MANY, STRAINS };
+enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, STRAINS, EDGES, CROWDS, MANY };
 
 // The parts that a pipeline is made of.
 struct PassCode {

@@ -72,6 +72,9 @@ bool prepare_passes(const PassKind &p_kind) {
 	const bool is_done = GpuPass::prepare(simulate_code(p_kind, SlotPass::PLAIN));
 	GpuPass::prepare(join_code(p_kind));
 	GpuPass::prepare(simulate_code(p_kind, SlotPass::FREE));
+	if (p_kind.method == Method::DIRECT) {
+		GpuPass::prepare(simulate_code(p_kind, SlotPass::STRAINS, true));
+	}
 	GpuPass::prepare(simulate_code(p_kind, SlotPass::EDGES));
 	return is_done;
 }

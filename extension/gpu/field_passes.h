@@ -42,8 +42,7 @@ bool prepare_passes(const PassKind &p_kind);
 bool can_simulate(const PassKind &p_kind);
 // Returns whether the passes for several tiles in a workgroup are compiled. The first call starts to compile them.
 bool can_share(const PassKind &p_kind);
-// Returns whether the pass that moves blades by their strains is compiled. The first call starts to compile it; until then such tiles have
-// chains.
+// Returns whether the pass that moves blades by their strains is compiled; until then such tiles have chains.
 bool has_strains(const PassKind &p_kind);
 // Returns whether blades can join the simulated ones of their tile.
 bool can_join(const PassKind &p_kind);

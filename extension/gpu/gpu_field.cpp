@@ -153,6 +153,9 @@ void GpuField::make_simulate() {
 	_join.create(join_code(_kind), GpuPass::Compile::LATER);
 	_simulate[size_t(SlotPass::FREE)][0].create(simulate_code(_kind, SlotPass::FREE), GpuPass::Compile::LATER);
 	_simulate[size_t(SlotPass::EDGES)][0].create(simulate_code(_kind, SlotPass::EDGES), GpuPass::Compile::LATER);
+	if (_kind.method == Method::DIRECT) {
+		_simulate[size_t(SlotPass::STRAINS)][1].create(simulate_code(_kind, SlotPass::STRAINS, true), GpuPass::Compile::LATER);
+	}
 }
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {

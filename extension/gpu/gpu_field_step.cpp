@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tick of GpuField: uploads, the simulation pass, and the readback of energies.
 #include "core/base/cpu_clock.h"
+#include "core/solver/strain/strain.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
 #include "gpu/obstacles.h"

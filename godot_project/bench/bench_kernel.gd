@@ -107,7 +107,7 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	]
 
 
-## As _measure(), of the pass that moves blades by their strains, from where chains are bent by a strong wind.
+## As _measure(), of the pass that moves blades by their strains, from where chains stand at rest.
 func _measure_strains(p_spirv: String, p_tiles: int, p_steps: int) -> PackedStringArray:
 	var code := RDShaderSPIRV.new()
 	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("strains_%d.spv" % KNOTS)))
@@ -117,7 +117,7 @@ func _measure_strains(p_spirv: String, p_tiles: int, p_steps: int) -> PackedStri
 	var chains: Array[RID] = [_uniform_set(shared, p_tiles, "0", 0, 0)]
 	var bend := SimulateData.push(DIRECT, KNOTS, TILE_SIZE, 128, Vector3(25.0, 0.0, 10.0), 2)
 	var free := SimulateData.push(DIRECT, KNOTS, TILE_SIZE, 128, Vector3.ZERO, 2)
-	_run(chains, bend, p_tiles, WARM_UP)
+	_run(chains, free, p_tiles, 1)
 	_device.buffer_update(shared[0], 0, p_tiles * SimulatePass.SLOT_BYTES, _slots(p_tiles, 0, 0))
 	var strains: Array[RID] = [_strain_set(shared)]
 	var awake := Time.get_ticks_msec() + (0 if p_steps < STEPS else WAKING)

@@ -19,7 +19,9 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
-	var pbd_motion: Array[float] = [1.0, 0.5, 0.0, 0.0] if p_method == 0 else [0.9, pull, pull, 0.5]
+	var pbd_motion: Array[float] = [1.0, 0.5, 0.0, 0.0]
+	if p_method != 0:
+		pbd_motion = [0.9, pull, pull, 0.5]
 	var free_motion: Array[float] = [h * tan(0.5 * w * h) / (0.5 * w * h), 0.0, 1.0, 1.0]
 	return (
 		PackedFloat32Array(

@@ -51,8 +51,9 @@ inline void report(TileManager &r_manager, const std::vector<float> &p_energies)
 	report(r_manager, p_energies, r_manager.get_step_number());
 }
 
+// Whatever describes its blades.
 inline uint32_t flags_of(const GrassSlot &p_record) {
-	return p_record.list.w;
+	return p_record.list.w & ~uint32_t(GRASS_SLOT_ALONE);
 }
 
 // No slot and no tile twice among the live; every list within the entries; both ways tile <-> slot agree.

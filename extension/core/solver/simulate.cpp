@@ -7,6 +7,7 @@
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
 #include "core/solver/join.h"
+#include "core/solver/strain/strain.h"
 #include "core/solver/tile_state.h"
 
 #include <algorithm>

@@ -7,6 +7,9 @@
 
 namespace grass {
 
+StrainSections::StrainSections() = default;
+StrainSections::~StrainSections() = default;
+
 std::span<const StrainSection<float>> StrainSections::find(std::span<const GrassStep> p_steps) {
 	_found_for.resize(p_steps.size(), { -1.0f, -1.0f });
 	_sections.resize(p_steps.size());

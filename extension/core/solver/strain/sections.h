@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/layout.h"
-#include "core/solver/strain/strain.h"
 
 #include <span>
 #include <utility>
@@ -11,8 +10,13 @@
 
 namespace grass {
 
+template <class T> struct StrainSection;
+
 class StrainSections {
 public:
+	StrainSections();
+	~StrainSections();
+
 	// Returns those of the species that take these steps, in their order: found anew, some 50 microseconds each, only for those that have
 	// changed. Valid until the next call.
 	std::span<const StrainSection<float>> find(std::span<const GrassStep> p_steps);
