@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packs a release: out/release/ with the add-on, the demo, debug symbols and checksums.
+"""Packs a release: out/release/ with the add-on, the demo, debug symbols, the list of all parts (SPDX) and checksums.
 
 The same commit makes the same bytes from any folder: entries are sorted, with the commit's time and fixed permissions, and the
 libraries forget where they were built (SConstruct, symbols=yes).
@@ -20,6 +20,7 @@ from tools.build import build, names, toolchains
 from tools.csharp import wrappers
 from tools.fetch import machine
 from tools.places import OUT, PROJECT, ROOT
+from tools.release import sbom, store
 from tools.run import engine
 from tools.say import Failure, say
 
@@ -191,7 +192,7 @@ def sizes(path):
 def pack(sources, folder):
 	"""Packs the libraries (target -> path of the file with symbols) into `folder`. Returns the paths of the zips."""
 	folder.mkdir(parents=True, exist_ok=True)
-	for old in folder.glob("grass_field-*.zip"):
+	for old in (*folder.glob("grass_field-*.zip"), *folder.glob("grass_field-*.json")):
 		old.unlink()
 	name = f"grass_field-{version()}.zip"
 	with tempfile.TemporaryDirectory() as parts:
@@ -203,8 +204,11 @@ def pack(sources, folder):
 		write_zip(folder / name.replace("field-", "field-demo-"), {**demo(), **files}),
 		write_zip(folder / name.replace("field-", "field-symbols-"), symbols),
 	]
-	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(zips))
+	parts_list = (folder / name).with_suffix(".spdx.json")
+	parts_list.write_text(sbom.text(version(), zips[0], files, list(sources), commit_time()))
+	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted([*zips, parts_list]))
 	(folder / "SHA256SUMS").write_text("".join(sums))
+	(folder / "changes.md").write_text(store.changes(version()))
 	if (size := zips[0].stat().st_size) > SIZE_MOST:
 		raise Failure("\n".join((f"{name} has {size:,} bytes, {SIZE_MOST:,} at most:", *sizes(zips[0]))))
 	return zips
@@ -246,7 +250,7 @@ def make(only="", out=None):
 	say("\n".join(sizes(zips[0])))
 	for path in zips:
 		say(f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}")
-	say(f"Packed, with SHA256SUMS: {folder}")
+	say(f"Packed, with an SPDX list of parts and SHA256SUMS: {folder}")
 
 
 def write_fixtures():

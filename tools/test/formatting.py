@@ -18,7 +18,7 @@ from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
-from tools.test import encodings, thread_rules, windows_rules
+from tools.test import encodings, thread_rules, windows_rules, workflows
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
@@ -142,6 +142,8 @@ def layer(only, tally):
 			print(f"{'fail' if found else 'pass':>6} format/{name}", flush=True)
 			tally.passed += not found
 			tally.failed += [f"format/{name}: {len(found)} findings, the first: {found[0]}"] if found else []
+	if only in "format/workflows":
+		workflows.layer(tally)
 	return tally
 
 
