@@ -9,7 +9,7 @@ import subprocess
 import time
 from dataclasses import dataclass
 
-from tools.build import toolchains, zig
+from tools.build import toolchains, universal, zig
 from tools.fetch import machine
 from tools.places import ROOT
 from tools.say import Failure
@@ -54,14 +54,14 @@ def eigen():
 
 def runtimes(target):
 	"""The parts of a compiler that are linked into a library."""
-	if target.system == "web":  # the engine's main module has them
-		return []
-	if zig.is_for(target.system, target.arch) or target.arch == "universal":
+	if zig.is_for(target.system, target.arch) or universal.is_ours(target.system, target.arch):
 		pinned = re.search(r"^ziglang==(\S+)", (ROOT / "tools/build/zig_requirements.txt").read_text(), re.MULTILINE)[1]
 		runtime = Part("libc++ of zig", pinned, "Apache-2.0 WITH LLVM-exception", "LLVM contributors")
 		return [runtime, *([Part("MinGW-w64 of zig", pinned, "ZPL-2.1", "mingw-w64 project")] if target.system == "windows" else [])]
+	if target.system in ("web", "macos"):  # the engine's main module has them, or the system
+		return []
 	compiler = toolchains.compiler(target.system, target.arch).split()[-1]
-	version = said(compiler, "-dumpfullversion", "-dumpversion")
+	version = said(compiler, "-dumpversion" if toolchains.is_clang(compiler) else "-dumpfullversion")
 	runtime = Part("libstdc++ and libgcc", version, "GPL-3.0-or-later WITH GCC-exception-3.1", "Free Software Foundation, Inc.")
 	if target.system != "windows":
 		return [runtime]
