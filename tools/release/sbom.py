@@ -68,8 +68,8 @@ def runtimes(target):
 	header = subprocess.run(
 		[compiler, "-E", "-P", "-xc++", "-"], input="#include <_mingw.h>\n__MINGW64_VERSION_STR", capture_output=True, text=True
 	)
-	version = re.findall(r'"([\d.]+)"', header.stdout)
-	return [runtime, Part("MinGW-w64", version[-1] if version else NOTHING, "ZPL-2.1 AND MIT", "mingw-w64 project")]
+	version = "".join(re.findall(r'"([\d.]+)"', header.stdout.splitlines()[-1]))  # a text for each of its parts
+	return [runtime, Part("MinGW-w64", version, "ZPL-2.1 AND MIT", "mingw-w64 project")]
 
 
 def together(licences):
