@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from SCons.Variables import BoolVariable, EnumVariable
 
 from tools.build import names, toolchains
+from tools.fetch.roots import RISCV
 from tools.places import BUILD, ROOT, TOOLS
 
 PRECISIONS = ("single", ("single", "double"))  # the default first
@@ -110,6 +111,8 @@ def link_library(env):
 		return []
 	# Symbols that are linked in stay hidden: the engine has a libstdc++ of its own.
 	env.Append(LINKFLAGS=["-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL"])
+	if arch == "rv64" and env["CXX"].startswith(str(RISCV.place)):  # its C library names its files as they lie on a machine
+		env.Append(LINKFLAGS=[f"-Wl,--sysroot={RISCV.place}"])
 	return link_old_glibc(env, arch)
 
 

@@ -24,7 +24,7 @@ from tools.release import sbom, store
 from tools.run import engine
 from tools.say import Failure, say
 
-SIZE_MOST = 20_000_000  # bytes of the add-on's zip
+SIZE_MOST = 15_000_000  # bytes of the add-on's zip
 ADDON = PROJECT / "addons/grass_field"
 EARLIEST = 315532800  # 1980, where the time of zip entries begins
 
@@ -62,12 +62,10 @@ class Target:
 		return names.folder(self.system, self.arch, self.threads) / "symbols" / self.kind / self.library
 
 
-SHIPPED = (
+SHIPPED = (  # not yet Linux on RISC-V and Windows on arm64: nothing has run with their libraries
 	("linux", "x86_64"),
 	("linux", "arm64"),
-	("linux", "rv64"),
 	("windows", "x86_64"),
-	("windows", "arm64"),
 	("macos", "universal"),
 	("web", "wasm32"),
 )
