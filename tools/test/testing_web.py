@@ -3,6 +3,7 @@
 bits are compared with those of this machine. No browser and no engine: no template can be fetched.
 """
 
+import os
 import re
 import struct
 import subprocess
@@ -30,7 +31,8 @@ def library(threads):
 def node(name, *arguments):
 	"""The output of a program without threads in Node.js. Raises Failure if it fails."""
 	command = [emscripten.PROGRAM, names.program(*WEB, name, threads=False), *arguments]
-	result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=testing_platforms.STEP_LIMIT)
+	environment = {**os.environ, **emscripten.QUIET}
+	result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=testing_platforms.STEP_LIMIT, env=environment)
 	if result.returncode:
 		raise Failure(f"ended with code {result.returncode}: {(result.stdout[-500:] + result.stderr[-2000:]).strip()}")
 	return result.stdout
