@@ -2,15 +2,10 @@
 // The extension's table of contents: what it registers, at which level, and where the engine enters.
 #include "register_types.h"
 
-#include "class_docs.gen.h"
 #include "draw/growing_arrays.h"
 #include "draw/patch_texture.h"
 #include "draw/shared_shader.h"
-#include "editor/grass_editor_plugin.h"
-#include "editor/kept_plots_dialog.h"
-#include "editor/limit_slider.h"
-#include "editor/own_map_dialog.h"
-#include "editor/species_preview.h"
+#include "editor/register_editor.h"
 #include "field/project_pool.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
@@ -35,7 +30,6 @@
 #include "world/grass_world.h"
 
 #include <gdextension_interface.h>
-#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/godot.hpp>
 
 using namespace godot;
@@ -67,23 +61,11 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_quality();
 		grass::register_map_files();
 	}
+#ifndef GRASS_WITHOUT_EDITOR
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
-		GDREGISTER_INTERNAL_CLASS(grass::LimitSlider);
-		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPalette);
-		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
-		GDREGISTER_INTERNAL_CLASS(grass::ViewDrop);
-		GDREGISTER_INTERNAL_CLASS(grass::GrassExportPlugin);
-		GDREGISTER_INTERNAL_CLASS(grass::ExportMasks);
-		GDREGISTER_INTERNAL_CLASS(grass::KeptPlotsDialog);
-		GDREGISTER_INTERNAL_CLASS(grass::OwnMapDialog);
-		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
-		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);
-		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
-		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
-		for (const std::string_view &text : grass::CLASS_DOCS) {
-			gdextension_interface::editor_help_load_xml_from_utf8_chars_and_len(text.data(), int64_t(text.size()));
-		}
+		grass::register_editor();
 	}
+#endif
 }
 
 void uninitialize_grass_field(ModuleInitializationLevel p_level) {

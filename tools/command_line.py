@@ -20,6 +20,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass export OUT   packs the project to run elsewhere
   ./grass csharp OUT   writes the C# wrappers, which releases have in addons/grass_field/csharp
   ./grass release  makes the zips of a release, out/release
+  ./grass try ZIP  runs a packed release in an empty project, on any system
   ./grass clean    removes everything that was built (--all: also everything that was fetched)
 
 Missing tools (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) are fetched into .tools/ here: nothing is
@@ -67,7 +68,7 @@ def parser():
 		"layers",
 		nargs="*",
 		metavar="LAYER",
-		help="which; docs/internals/building.md lists them (default: all but windows, arm64, release, sanitize and drivers)",
+		help="which; docs/internals/building.md lists them (default: all but those that it runs 'by name only')",
 	)
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
@@ -114,6 +115,17 @@ def parser():
 	)
 	release.add_argument("--out", default=None, metavar="DIR", help="folder for the zips (default: out/release)")
 	release.add_argument("--fixtures", action="store_true", help="instead, write files of this version for the tests of later ones")
+
+	trial = commands.add_parser("try", help="run a packed release in an empty project, in the engine that GODOT names")
+	trial.add_argument("zips", nargs="+", metavar="ZIP", help="the add-on's zip, or the folder that holds it")
+	trial.add_argument("--out", default=None, metavar="FILE", help="write what was seen, as JSON")
+	trial.add_argument(
+		"--driver", default="", help="in a window, with this rendering driver: vulkan, d3d12, metal, opengl3 (default: no window)"
+	)
+	trial.add_argument("--picture", default=None, metavar="FILE", help="of the window")
+	trial.add_argument(
+		"--compare", action="store_true", help="instead, compare such files, or all in these folders: the same bits everywhere"
+	)
 
 	clean = commands.add_parser("clean", help="remove what was built")
 	clean.add_argument("--all", action="store_true", help="also remove what was fetched")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/hung_patches.h"
 
+#include "core/base/beside.h"
 #include "core/solver/hang.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ Hung &begin(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_s
 	Hung &hung = all.emplace_back();
 	hung.hanging = hanging;
 	hung.of = p_patch;
-	hung.making = std::async(std::launch::async, [p_patch, solver, p_pull, p_stems, is_stopped = hung.is_stopped] {
+	hung.making = run_beside([p_patch, solver, p_pull, p_stems, is_stopped = hung.is_stopped] {
 		return std::make_shared<const Patch>(hang_patch(*p_patch, solver, p_pull, p_stems, is_stopped.get()));
 	});
 	return hung;

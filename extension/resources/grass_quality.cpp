@@ -20,6 +20,7 @@ namespace grass {
 namespace {
 
 constexpr const char *LEVEL_SETTING = "grass_field/quality/level", *CUSTOM_SETTING = "grass_field/quality/custom";
+constexpr const char *LEVEL_ON_WEB_SETTING = "grass_field/quality/level.web"; // the engine takes it where there is the feature `web`
 constexpr const char *LEVEL_NAMES = "Low,Medium,High,Ultra,Custom";
 constexpr const char *NOT_A_LEVEL = "GrassQuality: the level must be one of the LEVEL_* constants.";
 
@@ -82,6 +83,8 @@ Current &known() {
 
 void register_quality() {
 	add_project_setting(LEVEL_SETTING, int64_t(GrassQuality::LEVEL_HIGH), PROPERTY_HINT_ENUM, LEVEL_NAMES);
+	// In a browser one processor simulates and draws, which no author sees who tries his game on the desktop.
+	add_project_setting(LEVEL_ON_WEB_SETTING, int64_t(GrassQuality::LEVEL_LOW), PROPERTY_HINT_ENUM, LEVEL_NAMES);
 	add_project_setting(CUSTOM_SETTING, String(), PROPERTY_HINT_FILE, "*.tres,*.res");
 }
 

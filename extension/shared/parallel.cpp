@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shared/parallel.h"
 
+#include "core/base/beside.h"
 #include "core/base/shared_loop.h"
 
 #include <godot_cpp/classes/worker_thread_pool.hpp>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 using namespace godot;
@@ -48,7 +48,7 @@ void help(void *p_loop, uint32_t) {
 } // namespace
 
 void run_parallel(int p_count, const std::function<void(int)> &p_body) {
-	static const int processors = int(std::thread::hardware_concurrency());
+	static const int processors = count_processors();
 	const auto loop = std::make_shared<SharedLoop>(p_count, p_body);
 	const int helpers = std::min(p_count, processors) - 1;
 	if (helpers > 0) {

@@ -2,6 +2,7 @@
 // The thread, what it is asked, and what is kept. The files themselves: world_files_disk.cpp.
 #include "world/world_files.h"
 
+#include "core/base/beside.h"
 #include "shared/frames.h"
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -33,22 +34,24 @@ void WorldFiles::start(const WorldFolders &p_folders) {
 	running[this] = _folders;
 	// Without a renderer only one thread may use the engine's list of textures (Godot 4.6: one leaked at exit in some runs).
 	_makes_textures = draws_frames();
-	_is_ending = _has_ended = false;
-	_thread = std::thread([this] { work(); });
+	if (HAS_THREADS) {
+		_is_ending = _has_ended = false;
+		_thread = run_beside([this] { work(); });
+	}
 }
 
 void WorldFiles::stop() {
 	running.erase(this);
-	if (_thread.joinable()) {
+	if (_thread.valid()) {
 		{
 			std::unique_lock lock(_mutex);
 			_is_ending = true;
 			_has_changed.notify_all();
 			wait_until(lock, [this] { return _has_ended; });
 		}
-		_thread.join();
-		_read.clear();
+		_thread.get();
 	}
+	_read.clear();
 }
 
 void WorldFiles::work() {
@@ -73,7 +76,7 @@ void WorldFiles::work() {
 
 // Outside the tree no thread runs, so this writes at once.
 void WorldFiles::add(Job &&p_job) {
-	if (!_thread.joinable()) {
+	if (!_thread.valid()) {
 		p_job.run();
 		return;
 	}

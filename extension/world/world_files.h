@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The maps of a world's plots, in files. One thread reads and writes them in the order of the requests, so that a plot that returns at once
-// is read as it was written.
+// is read as it was written. Where there are no threads, each request is answered at once.
 #pragma once
 
 #include "core/map/read_limits.h"
@@ -15,9 +15,9 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <set>
-#include <thread>
 #include <vector>
 
 namespace grass {
@@ -93,7 +93,7 @@ private:
 	WorldFolders _folders; // changes only while no thread runs, like the next two
 	FoldersOfSize _sizes; // what the folders hold
 	bool _makes_textures = false;
-	std::thread _thread;
+	std::future<void> _thread; // not valid: requests are answered at once
 	mutable std::mutex _mutex; // guards everything below
 	std::condition_variable _has_changed;
 	std::deque<Job> _jobs; // the first one is in progress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Loads a library of GDExtension, initialises all levels, prints what it registered in an order that is always the same, and takes all
-// levels back again. Usage: host LIBRARY ENTRY_SYMBOL [far]
-// With `far` it calls methods with vectors far from the origin instead of printing.
+// levels back again. Usage: host LIBRARY ENTRY_SYMBOL [far|game]
+// With `far` it calls methods with vectors far from the origin instead of printing; with `game` it leaves the editor's level out.
 #include "host.h"
 
 #include <cstdio>
@@ -100,7 +100,9 @@ GDExtensionInterfaceFunctionPtr find_function(const char *p_name) {
 	return stand_in(missing.size() - 1, std::make_integer_sequence<int, MOST_MISSING>());
 }
 
-int run(const char *p_library, const char *p_symbol, bool p_is_far) {
+int run(const char *p_library, const char *p_symbol, const std::string &p_how) {
+	const bool is_far = p_how == "far";
+	const int levels = p_how == "game" ? int(GDEXTENSION_INITIALIZATION_EDITOR) : int(GDEXTENSION_MAX_INITIALIZATION_LEVEL);
 	const Entry entry = load(p_library, p_symbol);
 	if (!entry) {
 		std::fprintf(stderr, "There is no %s in %s.\n", p_symbol, p_library);
@@ -112,18 +114,18 @@ int run(const char *p_library, const char *p_symbol, bool p_is_far) {
 		std::fprintf(stderr, "The library refuses to be initialised.\n");
 		return 1;
 	}
-	if (!p_is_far) {
+	if (!is_far) {
 		std::printf("from level %d\n", library.minimum_initialization_level);
 	}
-	for (int level = library.minimum_initialization_level; level < GDEXTENSION_MAX_INITIALIZATION_LEVEL; level++) {
+	for (int level = library.minimum_initialization_level; level < levels; level++) {
 		library.initialize(library.userdata, GDExtensionInitializationLevel(level));
 	}
-	if (p_is_far) {
+	if (is_far) {
 		errors += check_far();
 	} else {
 		print_registry();
 	}
-	for (int level = GDEXTENSION_MAX_INITIALIZATION_LEVEL - 1; level >= int(library.minimum_initialization_level); level--) {
+	for (int level = levels - 1; level >= int(library.minimum_initialization_level); level--) {
 		library.deinitialize(library.userdata, GDExtensionInitializationLevel(level));
 	}
 	if (!is_registry_empty()) {
@@ -149,10 +151,10 @@ void lack(const std::string &p_what) {
 } // namespace host
 
 int main(int p_count, char **p_arguments) {
-	const bool is_far = p_count == 4 && std::string(p_arguments[3]) == "far";
-	if (p_count != 3 && !is_far) {
-		std::fprintf(stderr, "Usage: host LIBRARY ENTRY_SYMBOL [far]\n");
+	const std::string how = p_count == 4 ? p_arguments[3] : "";
+	if (p_count < 3 || p_count > 4 || (p_count == 4 && how != "far" && how != "game")) {
+		std::fprintf(stderr, "Usage: host LIBRARY ENTRY_SYMBOL [far|game]\n");
 		return 2;
 	}
-	return host::run(p_arguments[1], p_arguments[2], is_far);
+	return host::run(p_arguments[1], p_arguments[2], how);
 }

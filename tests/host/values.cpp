@@ -8,9 +8,10 @@
 
 namespace host {
 
-constexpr size_t REAL = sizeof(real_t);
-const size_t TYPE_SIZES[TYPES] = { 0, 1, 8, 8, 8, 2 * REAL, 8, 4 * REAL, 16, 3 * REAL, 12, 6 * REAL, 4 * REAL, 16, 4 * REAL, 4 * REAL,
-	6 * REAL, 9 * REAL, 12 * REAL, 16 * REAL, 16, 8, 8, 8, 8, 16, 16, 8, 8, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16 };
+constexpr size_t REAL = sizeof(real_t), POINTER = sizeof(void *), LIST = 2 * POINTER;
+const size_t TYPE_SIZES[TYPES] = { 0, 1, 8, 8, POINTER, 2 * REAL, 8, 4 * REAL, 16, 3 * REAL, 12, 6 * REAL, 4 * REAL, 16, 4 * REAL, 4 * REAL,
+	6 * REAL, 9 * REAL, 12 * REAL, 16 * REAL, 16, POINTER, POINTER, 8, POINTER, 16, 16, POINTER, POINTER, LIST, LIST, LIST, LIST, LIST,
+	LIST, LIST, LIST, LIST, LIST };
 const char *const TYPE_NAMES[TYPES] = { "null", "bool", "int", "float", "String", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3",
 	"Vector3i", "Transform2D", "Vector4", "Vector4i", "Plane", "Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color",
 	"StringName", "NodePath", "RID", "Object", "Callable", "Signal", "Dictionary", "Array", "PackedByteArray", "PackedInt32Array",

@@ -80,11 +80,16 @@ def variants(source):
 
 
 def compute_header(target, source, env):
-	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, each a SpirvCode."""
+	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, each a SpirvCode; an empty one for platforms
+	without compute passes."""
 	spirv_folder = pathlib.Path(str(target[0])).parent / "spirv"
 	lines = ['#include "gpu/spirv_code.h"\n\nnamespace grass::shader {\n']
 	for node in source:
 		for defines, suffix, name in variants(str(node)):
+			constant = constant_name(node, suffix + "_SPIRV")
+			if not env["HAS_COMPUTE"]:
+				lines.append(f"inline constexpr SpirvCode {constant}{{}};\n")
+				continue
 			try:
 				words = compile_shader(node, env["SHADER_PATH"], env["GLSLANG"], spirv_folder / name, *defines)
 			except RuntimeError as error:
@@ -95,7 +100,6 @@ def compute_header(target, source, env):
 				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/internals/drivers.md):\n" + "\n".join(refused))
 				return 1
 			rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
-			constant = constant_name(node, suffix + "_SPIRV")
 			lines.append(f"inline constexpr uint32_t {constant}_WORDS[] = {{\n" + ",\n".join(rows) + "\n};\n")
 			lines.append(f"inline constexpr SpirvCode {constant}{{ {constant}_WORDS, {module.pushed} }};\n")
 	return write_header(target, source, lines)

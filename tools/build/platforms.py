@@ -4,37 +4,37 @@
 import shutil
 from dataclasses import dataclass
 
-from SCons.Variables import EnumVariable
+from SCons.Variables import BoolVariable, EnumVariable
 
-from tools.build import toolchains
+from tools.build import names, toolchains
+from tools.fetch.roots import RISCV
 from tools.places import BUILD, ROOT, TOOLS
 
 PRECISIONS = ("single", ("single", "double"))  # the default first
-ARCHITECTURES = ("x86_64", "arm64", "universal", "wasm32")
+ARCHITECTURES = ("x86_64", "arm64", "rv64", "universal", "wasm32")
 
 
 @dataclass(frozen=True)
 class Platform:
-	suffix: str  # of a library
 	defines: tuple  # those of godot-cpp, whose headers ask for them
-	program: str = ""  # suffix of a program
+	has_editor: bool = True  # an editor that loads extensions
+	has_compute: bool = True  # a renderer that runs compute passes
 
 
 PLATFORMS = {
-	"linux": Platform(".so", ("LINUX_ENABLED", "UNIX_ENABLED")),
-	"windows": Platform(".dll", ("WINDOWS_ENABLED",), ".exe"),
-	"macos": Platform(".dylib", ("MACOS_ENABLED", "UNIX_ENABLED")),
-	"android": Platform(".so", ("ANDROID_ENABLED", "UNIX_ENABLED")),
-	"web": Platform(".wasm", ("WEB_ENABLED", "UNIX_ENABLED"), ".js"),
+	"linux": Platform(("LINUX_ENABLED", "UNIX_ENABLED")),
+	"windows": Platform(("WINDOWS_ENABLED",)),
+	"macos": Platform(("MACOS_ENABLED", "UNIX_ENABLED")),
+	"android": Platform(("ANDROID_ENABLED", "UNIX_ENABLED")),
+	"web": Platform(("WEB_ENABLED", "UNIX_ENABLED"), has_editor=False, has_compute=False),
 }
 
 
 def add_options(options):
-	system, arch = toolchains.HERE
-	options.Add(
-		EnumVariable("platform", "what is built for; other than linux and windows: with a toolchain of yours", system, tuple(PLATFORMS))
-	)
+	system, arch = names.HERE
+	options.Add(EnumVariable("platform", "what is built for; android: with a toolchain of yours", system, tuple(PLATFORMS)))
 	options.Add(EnumVariable("arch", "processor that is built for", arch, ARCHITECTURES))
+	options.Add(BoolVariable("threads", "for Web: the engine that loads the library is built with threads", True))
 	options.Add(EnumVariable("precision", "of the engine that loads the library: its numbers are float or double", *PRECISIONS))
 	options.Add(
 		"cxx", "C++ compiler to take instead of the one that is found (so does CXX in the environment, where nothing is fetched)", ""
@@ -42,17 +42,30 @@ def add_options(options):
 
 
 def is_here(env):
-	return (env["platform"], env["arch"]) == toolchains.HERE
+	return (env["platform"], env["arch"]) == names.HERE
+
+
+def has_symbols(env):
+	return names.has_symbols(env["platform"], env["arch"])
+
+
+def has_threads(env):
+	return env["platform"] != "web" or env["threads"]
 
 
 def folder(env):
-	"""The folder of objects: for this machine it is build/ itself."""
-	return "build" if is_here(env) else f"build/{env['platform']}_{env['arch']}"
+	"""The folder of objects, from the project's."""
+	return names.folder(env["platform"], env["arch"], has_threads(env)).relative_to(ROOT).as_posix()
 
 
-def flavour(env):
-	"""The part of a library's name that says what it is for, as godot-cpp names it."""
-	return f"{env['platform']}.template_{env['target']}{'.double' if env['precision'] == 'double' else ''}.{env['arch']}"
+def generated(env):
+	"""The folder of compute_shaders.gen.h. Where there are no compute passes it comes before build/gen, which has them."""
+	return "build/gen" if PLATFORMS[env["platform"]].has_compute else "build/gen/without_compute"
+
+
+def flavour(env, of=names.flavour):
+	"""The part of a library's name that says what it is for; of names.library: the whole name."""
+	return of(env["platform"], env["arch"], env["target"], env["precision"], has_threads(env))
 
 
 def prepare(env):
@@ -62,25 +75,28 @@ def prepare(env):
 	if not found or not shutil.which(found.split()[0]):
 		print(f"There is no C++ compiler for {system} {arch}: name one as cxx=COMMAND, or in the environment as CXX.")
 		return None
-	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=PLATFORMS[system].suffix, PROGSUFFIX=PLATFORMS[system].program)
+	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=f".{names.SUFFIXES[system]}", PROGSUFFIX=names.PROGRAMS.get(system, ""))
 	is_zig = "/zig c++" in found
 	if arch == "x86_64":
 		env.Append(CCFLAGS=["-march=x86_64" if is_zig else "-march=x86-64"])
-	if arch == "arm64" and not toolchains.is_clang(found):  # GCC would warn about each vector that older compilers passed in another way
+	if arch in ("arm64", "rv64") and not toolchains.is_clang(
+		found
+	):  # GCC would warn about each vector that older compilers passed in another way
 		env.Append(CCFLAGS=["-Wno-psabi"])
-	if system == "windows":
+	if system == "windows" and not is_zig:
 		# GCC cannot align the stack to more than 16 bytes there (its bug 54412), so wide moves must not count on it. The runtime
 		# is linked in, and a file's bytes tell nothing of when it was made.
 		env.Append(CCFLAGS=["-Wa,-muse-unaligned-vector-move"], LINKFLAGS=["-static", "-Wl,--no-insert-timestamp"])
-	else:
+	elif system != "windows":
 		env.Append(CCFLAGS=["-fPIC"])
-	if system in ("linux", "windows"):
+	if system in ("linux", "windows") and not is_zig:
 		env.Append(LINKFLAGS=["-Wl,--no-undefined"])
 	if is_zig:  # zig links only files named .o, and traps on undefined behaviour by default
 		env.Replace(SHOBJSUFFIX=".o")
 		env.Append(CCFLAGS=["-fno-sanitize=undefined"])
 	if system == "web":
-		env.Append(CCFLAGS=["-pthread"], LINKFLAGS=["-pthread"])
+		threads = ["-pthread"] if has_threads(env) else []
+		env.Append(CCFLAGS=[*threads, "-msimd128"], LINKFLAGS=threads)
 	return PLATFORMS[system]
 
 
@@ -90,18 +106,29 @@ def link_library(env):
 	if system == "macos":  # it is found by its path in the project, not by one of the machine that built it
 		env.Append(LINKFLAGS=["-Wl,-install_name,@rpath/${TARGET.file}"])
 	if system == "web":
-		env.Append(CCFLAGS=["-sSIDE_MODULE=1"], LINKFLAGS=["-sSIDE_MODULE=1"])
+		env.Append(LINKFLAGS=["-sSIDE_MODULE=1"])
 	if system != "linux":
 		return []
 	# Symbols that are linked in stay hidden: the engine has a libstdc++ of its own.
 	env.Append(LINKFLAGS=["-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL"])
+	if arch == "rv64" and env["CXX"].startswith(str(RISCV.place)):  # its C library names its files as they lie on a machine
+		env.Append(LINKFLAGS=[f"-Wl,--sysroot={RISCV.place}"])
 	return link_old_glibc(env, arch)
+
+
+def link_host(env):
+	"""Links a program that loads the library. Returns sources to add."""
+	if env["platform"] != "web":
+		return link_library(env)
+	env.Append(LINKFLAGS=["-sMAIN_MODULE=1", "-sNODERAWFS"])  # everything that a library may ask for; the machine's files
+	link_program(env)
+	return []
 
 
 def forget_folders(env):
 	"""Keeps the folder of the build out of the library, so that the same sources make the same bytes anywhere."""
-	names = ((ROOT, "."), (f"{ROOT}/", ""), (f"{TOOLS.resolve()}/", ".tools/"))  # the last that fits counts
-	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in names]
+	places = ((ROOT, "."), (f"{ROOT}/", ""), (f"{TOOLS.resolve()}/", ".tools/"))  # the last that fits counts
+	maps = [f"-ffile-prefix-map={place}={name}" for place, name in places]
 	env.Append(CCFLAGS=[*maps, "-frandom-seed=$SOURCE"])
 	if not toolchains.is_clang(env["CXX"]):  # GCC names a system's header by its real path, if that is shorter
 		env.Append(CCFLAGS=["-fno-canonical-system-headers"])
@@ -113,6 +140,8 @@ def link_program(env):
 	"""Links everything that a program needs into it, if it would need another machine's libraries to run."""
 	if env["platform"] == "linux" and not is_here(env):
 		env.Append(LINKFLAGS=["-static"])
+	if env["platform"] == "web":  # it runs in Node.js, which has as much memory as it asks for
+		env.Append(LINKFLAGS=["-sALLOW_MEMORY_GROWTH", "-sSTACK_SIZE=4MB", "-sEXIT_RUNTIME"])
 
 
 def link_old_glibc(env, arch):

@@ -12,26 +12,24 @@ import re
 import shutil
 import subprocess
 
+from tools.build import emscripten, zig
+from tools.build.names import HERE
 from tools.fetch import machine
-from tools.fetch.roots import CROSS, GLIBC
-from tools.places import ZIG
+from tools.fetch.roots import CROSS, GLIBC, RISCV
 
-GLIBC_MOST = (2, 31)
-HERE = (
-	{"Linux": "linux", "Windows": "windows", "Darwin": "macos"}.get(platform.system(), "linux"),
-	{"aarch64": "arm64", "AMD64": "x86_64"}.get(platform.machine(), platform.machine()),
-)
-GNU = {"x86_64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu"}  # architectures, by the toolchains' names
+GLIBC_MOST = {
+	"x86_64": (2, 31),
+	"arm64": (2, 31),
+	"rv64": (2, 36),
+}  # the newest that a library may need; Debian has no older one for RISC-V
+GNU = {"x86_64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu", "rv64": "riscv64-linux-gnu"}  # by the toolchains' names
 MINGW = "x86_64-w64-mingw32"
-MACOS = {"x86_64": "x86_64-macos.11.0", "arm64": "aarch64-macos.11.0"}  # the oldest that it loads on, by zig's names
-
-
-SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib"}  # of libraries
 
 
 def tool(*names):
 	"""The path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
-	fetched = (CROSS.place / folder / name for name in names for folder in ("usr/bin", "usr/lib/wine"))
+	folders = (CROSS.place / "usr/bin", CROSS.place / "usr/lib/wine", RISCV.place / "usr/bin")
+	fetched = (folder / name for name in names for folder in folders)
 	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
 
 
@@ -43,8 +41,10 @@ def compiler(system, arch):
 		found = tool(f"{MINGW}-g++-posix")  # the variant that has std::thread
 	elif system == "linux" and arch in GNU:
 		found = tool(f"{GNU[arch]}-g++")
-	elif system == "macos" and arch in MACOS and not os.environ.get("CXX"):
-		return f"{ZIG}/ziglang/zig c++ -target {MACOS[arch]}" if (ZIG / "ziglang/zig").exists() else None
+	elif zig.is_for(system, arch):
+		return zig.compiler(system, arch)
+	elif system == "web" and not os.environ.get("CXX"):
+		return emscripten.compiler()
 	else:
 		return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
 	launcher = os.environ.get("GRASS_LAUNCHER")  # such as ccache
@@ -53,7 +53,7 @@ def compiler(system, arch):
 
 def is_clang(command):
 	"""Whether a compiler takes clang's flags."""
-	return bool(re.search(r"clang|/zig c\+\+", command or ""))
+	return bool(re.search(r"clang|/zig c\+\+|em\+\+", command or ""))
 
 
 def glibc(arch):
@@ -64,7 +64,7 @@ def glibc(arch):
 
 def can_link_old_glibc(system, arch):
 	"""The machine's own libstdc++ needs the machine's glibc, if that is newer than the one that the fetched compilers come with."""
-	if system != "linux" or arch not in GNU:
+	if system != "linux" or arch not in GLIBC:
 		return False
 	if (system, arch) != HERE:
 		return True
@@ -77,15 +77,29 @@ def needs(system, arch):
 	"""The needs that machine.ensure() has to find to build for `system` and `arch`."""
 	found = []
 	packages = {
-		("windows", "x86_64"): "g++-mingw-w64-x86-64-posix",
-		("linux", "arm64"): "g++-aarch64-linux-gnu",
-		("linux", "x86_64"): "g++-x86-64-linux-gnu",
+		("windows", "x86_64"): ("g++-mingw-w64-x86-64-posix", CROSS),
+		("linux", "arm64"): ("g++-aarch64-linux-gnu", CROSS),
+		("linux", "rv64"): ("g++-riscv64-linux-gnu", RISCV),
+		("linux", "x86_64"): ("g++-x86-64-linux-gnu", CROSS),
 	}
 	if (system, arch) != HERE and (system, arch) in packages:
-		found.append((lambda: compiler(system, arch), (packages[system, arch], "patchelf"), CROSS))
+		package, root = packages[system, arch]
+		found.append((lambda: compiler(system, arch), (package, "patchelf"), root))
 	if can_link_old_glibc(system, arch) and shutil.which("apt-get"):
 		found.append((lambda: glibc(arch), ("libc6-dev", "libgcc-10-dev"), GLIBC[arch]))
 	return found
+
+
+def ensure(system, arch):
+	"""Fetches what builds for `system` and `arch`. Returns what it needs in its environment."""
+	machine.ensure(*machine.BUILDING, *needs(system, arch))
+	if zig.is_for(system, arch):
+		zig.ensure()
+		return zig.environment()
+	if system == "web" and not os.environ.get("CXX"):
+		emscripten.ensure()
+		return emscripten.environment()
+	return {}
 
 
 CLANG = "14"  # Debian 12's; of clang-tidy and clang-format as well
@@ -116,6 +130,7 @@ def clang_sanitizer():
 CLANG_NEED = (clang_sanitizer, (f"clang-{CLANG}", f"libclang-rt-{CLANG}-dev", "patchelf"), CROSS)
 WINE = (lambda: tool("wine64"), ("wine64", "patchelf"), CROSS)
 QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), CROSS)
+QEMU_RISCV = (lambda: tool("qemu-riscv64-static"), ("qemu-user-static", "patchelf"), RISCV)
 
 
 def binutil(name, system, arch):

@@ -4,22 +4,15 @@
 import os
 import struct
 
-from tools.build import toolchains
-from tools.fetch import pip_packages
-from tools.places import ROOT, ZIG
+from tools.build.names import HERE
 
 MAGIC, ALIGNMENT = 0xCAFEBABE, 14  # of a file for several processors; 2^14 bytes are a page of arm64
 PROCESSORS = {"x86_64": (0x01000007, 3), "arm64": (0x0100000C, 0)}  # type and subtype
 
 
-def ensure():
-	"""Fetches the compiler, and the reader of its output."""
-	pip_packages.ensure(ROOT / "tools/build/zig_requirements.txt", ZIG, "the compiler for macOS")
-
-
 def is_ours(system, arch):
 	"""Whether this build joins the libraries of both processors: a toolchain of the user's makes one file in one go."""
-	return (system, arch) == ("macos", "universal") and toolchains.HERE[0] != "macos" and not os.environ.get("CXX")
+	return (system, arch) == ("macos", "universal") and HERE[0] != "macos" and not os.environ.get("CXX")
 
 
 def join(slices, path):

@@ -26,10 +26,11 @@ LEFT_OUT = (
 	"./usr/lib/*/gconv/*",
 	"./usr/share/vulkan/implicit_layer.d/*",
 	"./usr/bin/*lto-dump*",
-	"./usr/bin/qemu-[!a]*",
+	"./usr/bin/qemu-[!ar]*",
 	"./usr/lib/gcc*/*lto1",
 	"./usr/lib/gcc*/adalib/*",
 	"./usr/lib/gcc*/libgfortran*",
+	"./usr/lib/*/libnode.so*",
 )
 OF_CARDS = (  # left out as well where nobody asks for them: cards use the system's drivers
 	"./usr/bin/spirv-*",
@@ -86,10 +87,12 @@ class Root:
 
 MAIN = Root(UNPACKED, "testing")
 CROSS = Root(places.CROSS, "bookworm")  # compilers for other platforms, Wine, qemu
+RISCV = Root(places.RISCV, "bookworm")  # apart: few builds need it
 GLIBC = {  # what a library for Linux is linked against: glibc 2.31
 	"x86_64": Root(TOOLS / "linux_x86_64", "bullseye", "amd64"),
 	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
 }
 DRIVERS = Root(places.DRIVERS, "trixie", of_cards=True)  # a stable release, so that figures of its compilers can be compared
+EMSCRIPTEN = Root(places.EMSCRIPTEN, "testing")  # the first suite whose version Godot 4.6 takes
 CSHARP = Root(places.CSHARP, "bookworm")  # a C# compiler
 ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")

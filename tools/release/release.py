@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packs a release: out/release/ with the add-on, the demo, debug symbols and checksums.
+"""Packs a release: out/release/ with the add-on, the demo, debug symbols, the list of all parts (SPDX) and checksums.
 
 The same commit makes the same bytes from any folder: entries are sorted, with the commit's time and fixed permissions, and the
 libraries forget where they were built (SConstruct, symbols=yes).
@@ -16,14 +16,15 @@ import time
 import zipfile
 from dataclasses import dataclass
 
-from tools.build import build, toolchains
+from tools.build import build, names, toolchains
 from tools.csharp import wrappers
 from tools.fetch import machine
-from tools.places import BUILD, OUT, PROJECT, ROOT
+from tools.places import OUT, PROJECT, ROOT
+from tools.release import sbom, store
 from tools.run import engine
 from tools.say import Failure, say
 
-SIZE_MOST = 13_000_000  # bytes of the add-on's zip
+SIZE_MOST = 15_000_000  # bytes of the add-on's zip
 ADDON = PROJECT / "addons/grass_field"
 EARLIEST = 315532800  # 1980, where the time of zip entries begins
 
@@ -35,22 +36,40 @@ class Target:
 	system: str
 	arch: str
 	kind: str
+	threads: bool = True  # of the engine; only Web has one without
 
 	def __str__(self):
-		return f"{self.system}.{self.arch}.{self.kind}"
+		return f"{self.system}.{self.arch}{'' if self.threads else '.nothreads'}.{self.kind}"
+
+	@property
+	def tags(self):
+		"""Those of its lines in the .gdextension, but debug and release."""
+		arch = "" if self.arch == "universal" else f".{self.arch}"
+		return f"single{'.threads' if self.system == 'web' and self.threads else ''}{arch}"
 
 	@property
 	def library(self):
-		return f"libgrass_field.{self.system}.template_{self.kind}.{self.arch}.{toolchains.SUFFIXES[self.system]}"
+		return names.library(self.system, self.arch, self.kind, threads=self.threads)
+
+	@property
+	def options(self):
+		"""Those that build it."""
+		of_web = [f"threads={'yes' if self.threads else 'no'}"] if self.system == "web" else []
+		return [f"platform={self.system}", f"arch={self.arch}", f"target={self.kind}", *of_web]
 
 	@property
 	def built(self):
-		here = (self.system, self.arch) == toolchains.HERE
-		return (BUILD if here else BUILD / f"{self.system}_{self.arch}") / "symbols" / self.kind / self.library
+		return names.folder(self.system, self.arch, self.threads) / "symbols" / self.kind / self.library
 
 
-SHIPPED = (("linux", "x86_64"), ("linux", "arm64"), ("windows", "x86_64"), ("macos", "universal"))
-TARGETS = tuple(Target(system, arch, "release") for system, arch in SHIPPED)
+SHIPPED = (  # not yet Linux on RISC-V and Windows on arm64: nothing has run with their libraries
+	("linux", "x86_64"),
+	("linux", "arm64"),
+	("windows", "x86_64"),
+	("macos", "universal"),
+	("web", "wasm32"),
+)
+TARGETS = (*(Target(system, arch, "release") for system, arch in SHIPPED), Target("web", "wasm32", "release", threads=False))
 
 
 def chosen(only):
@@ -82,9 +101,9 @@ def commit_time():
 
 
 def split(target, source, folder):
-	"""Puts the library `source` without its symbols into `folder`, and these beside it, NAME.debug. Returns both paths; for macOS, where
-	the linker leaves the symbols out, None for the second."""
-	if target.system == "macos":
+	"""Puts the library `source` without its symbols into `folder`, and these beside it, NAME.debug. Returns both paths; where the
+	linker leaves the symbols out, None for the second."""
+	if not names.has_symbols(target.system, target.arch):
 		return pathlib.Path(shutil.copy(source, folder / target.library)), None
 	objcopy = toolchains.binutil("objcopy", target.system, target.arch)
 	if not objcopy:
@@ -171,7 +190,7 @@ def sizes(path):
 def pack(sources, folder):
 	"""Packs the libraries (target -> path of the file with symbols) into `folder`. Returns the paths of the zips."""
 	folder.mkdir(parents=True, exist_ok=True)
-	for old in folder.glob("grass_field-*.zip"):
+	for old in (*folder.glob("grass_field-*.zip"), *folder.glob("grass_field-*.json")):
 		old.unlink()
 	name = f"grass_field-{version()}.zip"
 	with tempfile.TemporaryDirectory() as parts:
@@ -183,8 +202,11 @@ def pack(sources, folder):
 		write_zip(folder / name.replace("field-", "field-demo-"), {**demo(), **files}),
 		write_zip(folder / name.replace("field-", "field-symbols-"), symbols),
 	]
-	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(zips))
+	parts_list = (folder / name).with_suffix(".spdx.json")
+	parts_list.write_text(sbom.text(version(), zips[0], files, list(sources), commit_time()))
+	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted([*zips, parts_list]))
 	(folder / "SHA256SUMS").write_text("".join(sums))
+	(folder / "changes.md").write_text(store.changes(version()))
 	if (size := zips[0].stat().st_size) > SIZE_MOST:
 		raise Failure("\n".join((f"{name} has {size:,} bytes, {SIZE_MOST:,} at most:", *sizes(zips[0]))))
 	return zips
@@ -193,7 +215,7 @@ def pack(sources, folder):
 def build_libraries(targets):
 	"""Builds each with symbols. Returns target -> path."""
 	for target in targets:
-		build.scons("extension", "symbols=yes", f"platform={target.system}", f"arch={target.arch}", f"target={target.kind}")
+		build.scons("extension", "symbols=yes", *target.options)
 	return {target: target.built for target in targets}
 
 
@@ -204,9 +226,10 @@ def check_glibc(target, library):
 	command = [toolchains.objdump(target.system, target.arch), "-p", str(library)]
 	text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
 	newest = max(tuple(map(int, found.split("."))) for found in re.findall(r"\bGLIBC_([\d.]+)", text))
-	if newest > toolchains.GLIBC_MOST:
+	most = toolchains.GLIBC_MOST[target.arch]
+	if newest > most:
 		raise Failure(
-			f"{library.name} needs glibc {'.'.join(map(str, newest))}, more than {'.'.join(map(str, toolchains.GLIBC_MOST))}:"
+			f"{library.name} needs glibc {'.'.join(map(str, newest))}, more than {'.'.join(map(str, most))}:"
 			" make releases with the GCC of Debian 12 (docs/internals/building.md, Other platforms)."
 		)
 
@@ -225,7 +248,7 @@ def make(only="", out=None):
 	say("\n".join(sizes(zips[0])))
 	for path in zips:
 		say(f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}")
-	say(f"Packed, with SHA256SUMS: {folder}")
+	say(f"Packed, with an SPDX list of parts and SHA256SUMS: {folder}")
 
 
 def write_fixtures():

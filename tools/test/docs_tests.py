@@ -15,6 +15,7 @@ from tools.build import binding
 from tools.fetch import machine, settle
 from tools.pages import links, prose, snippets
 from tools.places import BUILD, PROJECT, ROOT
+from tools.release import store
 from tools.run import engine
 from tools.test import bench_tests, formatting, members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
@@ -45,6 +46,12 @@ def wrong_command(command, layers):
 def commands(path, layers):
 	found = ["".join(groups) for groups in COMMAND.findall(path.read_text())]
 	return found, "; ".join(filter(None, (wrong_command(command, layers) for command in found)))
+
+
+def wrong_workflow(path, layers):
+	"""What is wrong with the `./grass` commands of a workflow."""
+	found = re.findall(r"^\s*(?:- )?(?:run: )?(\./grass .*)$", path.read_text(), re.MULTILINE)
+	return "; ".join(filter(None, (wrong_command(command, layers) for command in found)))
 
 
 def wrong_cpp(block):
@@ -167,6 +174,9 @@ def run(only, layers):
 		found, wrong = commands(path, layers)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)
+	for path in sorted((ROOT / ".github/workflows").glob("*.yml")):
+		if only in (name := f"docs/{path.relative_to(ROOT)} commands"):
+			noted(tally, name, wrong_workflow(path, layers))
 	for path in formatting.sources("pages"):
 		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
 			wide = ", ".join(map(str, prose.too_wide(path)))
@@ -208,6 +218,7 @@ CHECKED_PAGES = {
 	"docs/costs": cost_table.wrong,
 	"docs/drivers": drivers_page.wrong,
 	"docs/machines": machines_page.wrong,
+	"docs/page of the store": store.wrong_or_blind,
 	**bench_tests.TESTS,
 }
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

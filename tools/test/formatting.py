@@ -3,7 +3,7 @@
 
 C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat; comments and
 pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So are texts
-beyond ASCII (encodings.py), and what GCC does wrong on Windows (windows_rules.py).
+beyond ASCII (encodings.py), what GCC does wrong on Windows (windows_rules.py), and threads of our own (thread_rules.py).
 """
 
 import os
@@ -18,7 +18,7 @@ from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
-from tools.test import encodings, windows_rules
+from tools.test import encodings, thread_rules, windows_rules, workflows
 
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/test/format_requirements.txt"
@@ -128,7 +128,13 @@ def layer(only, tally):
 	"""The layer `format`: a test for each kind of source, and for what no source may do. Returns `tally`."""
 	ensure()
 	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS if kind != "pages"}
-	for name, wrong in {**checks, "lint": lint, "encodings": encodings.check, "windows": windows_rules.forbidden}.items():
+	for name, wrong in {
+		**checks,
+		"lint": lint,
+		"encodings": encodings.check,
+		"windows": windows_rules.forbidden,
+		"threads": thread_rules.forbidden,
+	}.items():
 		if only in f"format/{name}":
 			found = wrong()
 			for text in found:
@@ -136,6 +142,8 @@ def layer(only, tally):
 			print(f"{'fail' if found else 'pass':>6} format/{name}", flush=True)
 			tally.passed += not found
 			tally.failed += [f"format/{name}: {len(found)} findings, the first: {found[0]}"] if found else []
+	if only in "format/workflows":
+		workflows.layer(tally)
 	return tally
 
 

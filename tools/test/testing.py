@@ -28,6 +28,8 @@ from tools.test import (
 	testing_macos,
 	testing_platforms,
 	testing_release,
+	testing_web,
+	testing_windows_arm,
 	tidy,
 	validation,
 )
@@ -159,8 +161,11 @@ LAYERS = {
 	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
 	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
+	"riscv": Layer(lambda only, _: testing_platforms.run_layer("riscv", only), in_all=False),
+	"windows-arm64": Layer(lambda only, _: testing_windows_arm.run_layer(only), None, in_all=False),
 	"double": Layer(lambda only, _: testing_platforms.run_layer("double", only), in_all=False),
 	"macos": Layer(lambda only, _: testing_macos.run_layer(only), None, in_all=False),
+	"web": Layer(lambda only, _: testing_web.run_layer(only), None, in_all=False),
 	"release": Layer(lambda only, _: testing_release.run_layer("release", only), None, in_all=False),
 }
 ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)

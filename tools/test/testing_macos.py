@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-from tools.build import build, universal
+from tools.build import build, zig
 from tools.places import ZIG
 from tools.say import Failure
 from tools.test import testing_platforms
@@ -44,7 +44,7 @@ print(json.dumps(found))
 
 def read(path):
 	"""Processor -> the data that macholib reads from the library's part for it."""
-	universal.ensure()
+	zig.ensure()
 	command = [sys.executable, "-c", READER, str(path)]
 	result = subprocess.run(command, env={"PYTHONPATH": str(ZIG)}, capture_output=True, text=True)
 	if result.returncode:

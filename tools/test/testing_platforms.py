@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: MIT
 """Layers of tests for other platforms: libraries and programs for them are checked, loaded and run here, under Wine and qemu.
 
-`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares. `double` does
-so with the library for engines in double precision, of which `platforms` checks the binding alone.
+`windows` and `arm64` run all that can be run; `riscv` loads the library and compares bits; `platforms`, a part of every run, loads what
+is little optimised and compares. `double` does so with the library for engines in double precision, of which `platforms` checks the
+binding alone.
 """
 
 import os
 import re
 import subprocess
 
-from tools.build import build, toolchains
+from tools.build import build, names, toolchains
 from tools.fetch import machine
-from tools.fetch.roots import ENGINE_ARM64, GLIBC
+from tools.fetch.roots import ENGINE_ARM64, GLIBC, RISCV
 from tools.places import ADDON_BIN, BUILD
 from tools.run import engine
 from tools.say import Failure, progress
 from tools.test.test_runs import Tally, core, in_engine
 
-LAYERS = ("platforms", "windows", "arm64", "double")
-WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
+LAYERS = ("platforms", "windows", "arm64", "riscv", "double")
+WINDOWS, ARM64, RV64 = ("windows", "x86_64"), ("linux", "arm64"), ("linux", "rv64")
 ENTRY, CROSSING_ENTRY = "grass_field_library_init", "crossing_init"
 LOAD_LIMIT, STEP_LIMIT = 300, 3600  # seconds
 # The libraries that every Windows has.
@@ -32,17 +33,12 @@ def engine_arm64():
 	return ENGINE_ARM64.place / "usr/bin/godot"
 
 
-def folder(target):
-	return BUILD if target == toolchains.HERE else BUILD / "_".join(target)
-
-
 def library(target, quick):
-	suffix = ".dll" if target == WINDOWS else ".so"
-	return (folder(target) / "quick" if quick else ADDON_BIN) / f"libgrass_field.{target[0]}.template_debug.{target[1]}{suffix}"
+	return (names.folder(*target) / "quick" if quick else ADDON_BIN) / names.library(*target)
 
 
 def program(target, name):
-	return folder(target) / (name + (".exe" if target == WINDOWS else ""))
+	return names.program(*target, name)
 
 
 def runner(target):
@@ -52,6 +48,8 @@ def runner(target):
 		return [toolchains.tool("wine64")], {**quiet, "DISPLAY": "", "WAYLAND_DISPLAY": ""}
 	if target == ARM64:
 		return [toolchains.tool("qemu-aarch64-static"), "-L", str(GLIBC["arm64"].place)], {"GRASS_EMULATED": "1"}
+	if target == RV64:
+		return [toolchains.tool("qemu-riscv64-static"), "-L", str(RISCV.place / "usr" / toolchains.GNU["rv64"])], {"GRASS_EMULATED": "1"}
 	# Here: with the C library of 2020, if the library was linked against it.
 	place = toolchains.glibc(target[1])
 	if place is None or not toolchains.can_link_old_glibc(*target):
@@ -152,7 +150,7 @@ def only_old_glibc(target, quick):
 	text = dump(target, "-p", quick)
 	versions = {tuple(map(int, version.split("."))) for version in re.findall(r"\bGLIBC_([\d.]+)", text)}
 	needed = set(re.findall(r"NEEDED\s+(\S+)", text))
-	if not versions or max(versions) > toolchains.GLIBC_MOST:
+	if not versions or max(versions) > toolchains.GLIBC_MOST[target[1]]:
 		raise Failure(f"needs glibc {'.'.join(map(str, max(versions, default=())))}")
 	if others := {name for name in needed if not re.match(r"(libc|libm|libdl|libpthread|ld-linux\S*)\.so", name)}:
 		raise Failure(f"needs {', '.join(sorted(others))}")
@@ -164,10 +162,13 @@ def checks(target, quick):
 	if target == WINDOWS:
 		yield f"{kind}: needs no library that Windows lacks", lambda: only_windows_libraries(quick)
 	else:
-		yield f"{kind}: needs glibc 2.31 at most, and no libstdc++", lambda: only_old_glibc(target, quick)
+		yield (
+			f"{kind}: needs glibc {'.'.join(map(str, toolchains.GLIBC_MOST[target[1]]))} at most, and no libstdc++",
+			lambda: only_old_glibc(target, quick),
+		)
 	if target != toolchains.HERE:
 		yield f"{kind}: loads, and registers what the library for this machine does", lambda: same_registration(target, quick)
-	if target != toolchains.HERE and not quick:
+	if target != toolchains.HERE and (not quick or target == RV64):
 		yield f"{kind}: steps 100 random scenes to the bits that they have on this machine", lambda: same_bits(target)
 
 
@@ -190,6 +191,11 @@ def by_clang(target):
 	return [f"cxx={toolchains.clang_for_arm64()}"] if target == ARM64 != toolchains.HERE else []
 
 
+def of(target):
+	"""The options that build for `target`."""
+	return (f"platform={target[0]}", f"arch={target[1]}")
+
+
 def prepare(layers):
 	"""Fetches and builds everything that `layers` need."""
 	if not set(layers) & set(LAYERS):
@@ -198,18 +204,22 @@ def prepare(layers):
 	machine.ensure(
 		*([toolchains.WINE] if WINDOWS in targets else []),
 		*([toolchains.QEMU] if ARM64 in targets else []),
+		*([toolchains.QEMU_RISCV, *toolchains.needs(*RV64)] if "riscv" in layers else []),
 		*([toolchains.CLANG_NEED] if "platforms" in layers else []),
 		*(need for target in targets for need in toolchains.needs(*target)),
 		*([ARM64_ENGINE] if "arm64" in layers else []),
 	)
-	build.scons("extension", "host", *(["bits"] if {"windows", "arm64"} & set(layers) else []))
+	build.scons("extension", "host", *(["bits"] if {"windows", "arm64", "riscv"} & set(layers) else []))
 	if "double" in layers:
 		build.scons("extension", "precision=double")
 		build.scons("host", "precision=double", "quick=yes")
+	if "riscv" in layers:  # the library only has to load; what steps is as optimised as what ships
+		build.scons("extension", "quick=yes", *of(RV64))
+		build.scons("host", "bits", *of(RV64))
 	if "platforms" in layers:
 		build.scons("crossing", "host", "precision=double", "quick=yes")
 	for layer, target in (("windows", WINDOWS), ("arm64", ARM64)):
-		options = (f"platform={target[0]}", f"arch={target[1]}")
+		options = of(target)
 		if "platforms" in layers:
 			build.scons("extension", "host", "quick=yes", *options, *by_clang(target))
 		if layer in layers:
@@ -227,8 +237,8 @@ def run_layer(layer, only):
 			check(tally, only, checks(target, True))
 		check(tally, only, double_checks(False))
 		return tally
-	if layer == "double":
-		check(tally, only, double_checks(True))
+	if layer in ("double", "riscv"):
+		check(tally, only, double_checks(True) if layer == "double" else checks(RV64, True))
 		return tally
 	target = WINDOWS if layer == "windows" else ARM64
 	check(tally, only, checks(target, False))

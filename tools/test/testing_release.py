@@ -7,6 +7,7 @@ what ships for this machine, here and in a second folder, and draws and exports 
 
 import contextlib
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -15,16 +16,15 @@ import subprocess
 import tempfile
 import zipfile
 
-from tools.build import toolchains
+from tools.build import names, toolchains
 from tools.fetch import machine, settle
 from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS, UNPACKED
-from tools.release import export, release
+from tools.release import export, release, trial
 from tools.run import engine
 from tools.say import Failure, progress
 from tools.test.test_runs import Tally
 
 WORK = BUILD / "package"
-EMPTY = ROOT / "tests/release/project"  # a project with a field that knows nothing of this one
 PLACE = "addons/grass_field"
 MOST_ALONE = 2_500_000  # bytes of a zip with a single library; 2,453,425 on the day of this number
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
@@ -93,8 +93,7 @@ def extension_names_what_is_there(sources):
 	check(len(there) == len(sources), f"{there} for {len(sources)} libraries")
 	check(there <= named, f"{there - named} is named nowhere")
 	for target in sources:
-		arch = "" if target.arch == "universal" else rf"\.{target.arch}"
-		kinds = re.findall(rf'^{target.system}\.(\w+)\.single{arch} = "bin/{target.library}"', text, re.MULTILINE)
+		kinds = re.findall(rf'^{target.system}\.(\w+)\.{target.tags} = "bin/{target.library}"', text, re.MULTILINE)
 		check(kinds == (["debug", "release"] if target.kind == "release" else ["debug"]), f"{target.library} stands for {kinds}")
 	check(named <= set(files), f"{named - set(files)} is named, but not there")
 
@@ -107,12 +106,47 @@ def no_paths_of_this_machine(sources):
 
 def sums_are_right(_sources):
 	result = subprocess.run(["sha256sum", "--check", "--strict", "SHA256SUMS"], cwd=WORK / "once", capture_output=True, text=True)
-	check(result.returncode == 0 and result.stdout.count(": OK") == 3, result.stdout + result.stderr)
+	check(result.returncode == 0 and result.stdout.count(": OK") == 4, result.stdout + result.stderr)
+
+
+def parts_are_listed(sources):
+	"""Every file of the zip by its checksum, the zip itself, and what is linked into each library."""
+	path, files = names_in("")
+	document = json.loads(path.with_suffix(".spdx.json").read_text())
+	sums = {file["fileName"]: file["checksums"][1]["checksumValue"] for file in document["files"]}
+	wrong = [name for name, data in files.items() if sums.pop(f"./{name}", "") != hashlib.sha256(data).hexdigest()]
+	check(not wrong and not sums, f"{wrong} have other checksums, {sorted(sums)} are not in the zip")
+	own = document["packages"][0]
+	check(own["checksums"][0]["checksumValue"] == hashlib.sha256(path.read_bytes()).hexdigest(), "the zip has another checksum")
+	known = {entry["SPDXID"] for kind in ("packages", "files") for entry in document[kind]} | {document["SPDXID"]}
+	for relation in document["relationships"]:
+		check({relation["spdxElementId"], relation["relatedSpdxElement"]} <= known, f"{relation} names what is not listed")
+	linked = {relation["spdxElementId"] for relation in document["relationships"] if relation["relationshipType"] == "STATIC_LINK"}
+	libraries = {file["SPDXID"] for file in document["files"] if "/bin/" in file["fileName"]}
+	check(linked == libraries and len(libraries) == len(sources), f"{libraries ^ linked} have no parts, or are no libraries")
+	check(all(re.match(r"\d", entry["versionInfo"]) for entry in document["packages"]), "a part has no version")
+
+
+def results_are_compared(_sources):
+	"""`./grass try --compare` tells systems apart."""
+	folder = WORK / "seen"
+	shutil.rmtree(folder, ignore_errors=True)
+	folder.mkdir()
+	one = {"system": "here", "engine": "4.6", "bits": "c0ffee"}
+	for name, other in (("a", {}), ("b", {"system": "there"})):
+		(folder / f"{name}.json").write_text(json.dumps({**one, **other}))
+	trial.compare([folder])
+	(folder / "c.json").write_text(json.dumps({**one, "bits": "decade"}))
+	try:
+		trial.compare([folder])
+	except Failure:
+		return
+	raise Failure("other bits are taken for the same")
 
 
 def symbols_find_their_library(sources):
 	_, files = names_in("symbols-")
-	with_symbols = [target for target in sources if target.system != "macos"]
+	with_symbols = [target for target in sources if names.has_symbols(target.system, target.arch)]
 	check(set(files) == {f"{target.library}.debug" for target in with_symbols}, f"there are {sorted(files)}")
 	_, libraries = names_in("")
 	for target in with_symbols:
@@ -161,15 +195,7 @@ def run_engine(command, environment, *arguments, expected=None):
 
 
 def unpack(kind, project):
-	"""Makes a fresh project with the zip. The engine knows the extension when it starts, as docs/guide/ci.md describes."""
-	shutil.rmtree(project, ignore_errors=True)
-	if not kind:
-		shutil.copytree(EMPTY, project)
-	with zipfile.ZipFile(names_in(kind)[0]) as file:
-		file.extractall(project)
-	(project / ".godot").mkdir()
-	(project / ".godot/extension_list.cfg").write_text(f"res://{PLACE}/grass_field.gdextension\n")
-	return project
+	return trial.unpack(names_in(kind)[0], project, sample=not kind)
 
 
 def editor_opens(kind):
@@ -182,9 +208,9 @@ def editor_opens(kind):
 
 
 def bends(said, renderer):
-	found = re.search(r"^GrassField (\S+), (.*): (\d+) blades, the ball bends them by", said, re.MULTILINE)
-	check(found, f"the scene did not tell what it saw: {said[-1000:]}")
-	check(found[1] == release.version() and found[2] == renderer, f"it says {found[0]}")
+	version, method, *more = trial.seen(said)
+	check(version == release.version() and method == renderer, f"it says {version}, {method}, {more}")
+	check(bool(more[-1]) == (renderer == "headless"), f"it tells the blades' bits: {more[-1]}")
 
 
 def runs_headless(_sources):
@@ -266,10 +292,12 @@ def same_elsewhere(sources):
 
 PACKING = {
 	"packed twice, the same bytes": same_twice,
-	"the zip holds the add-on alone, in 13 MB": only_the_addon,
+	"the zip holds the add-on alone, in 15 MB": only_the_addon,
 	"the .gdextension names what is there and nothing else": extension_names_what_is_there,
 	"no path of this machine": no_paths_of_this_machine,
 	"SHA256SUMS are right": sums_are_right,
+	"every part is listed": parts_are_listed,
+	"results of several systems are compared": results_are_compared,
 	"each library finds its symbols": symbols_find_their_library,
 	"the demo is whole": demo_is_whole,
 	"an archive of the repository holds the add-on alone": archive_is_the_addon,

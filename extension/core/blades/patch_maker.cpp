@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/blades/patch_maker.h"
 
+#include "core/base/beside.h"
+
 #include <chrono>
 
 namespace grass {
@@ -8,8 +10,7 @@ namespace grass {
 void PatchMaker::start(const PatchParams &p_params) {
 	stop();
 	_is_stopped = false;
-	_made = std::async(
-			std::launch::async, [this, p_params] { return std::make_shared<const Patch>(generate_patch(p_params, &_is_stopped)); });
+	_made = run_beside([this, p_params] { return std::make_shared<const Patch>(generate_patch(p_params, &_is_stopped)); });
 }
 
 bool PatchMaker::is_done() const {

@@ -3,6 +3,7 @@
 // two where that helps most. A piece is the hull of all faces within its box.
 #include "core/bodies/mesh_pieces.h"
 
+#include "core/base/beside.h"
 #include "core/bodies/mesh_cells.h"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ MeshPieces::Future MeshPieces::begin(Points p_corners) {
 	if (begun.size() == REMEMBERED) {
 		begun.pop_front();
 	}
-	Future future = std::async(std::launch::async, [p_corners] { return make(p_corners); }).share();
+	Future future = run_beside([p_corners] { return make(p_corners); }).share();
 	begun.emplace_back(std::move(p_corners), future);
 	return future;
 }

@@ -105,7 +105,7 @@ func test_after_a_change_of_method_blades_meet_bodies_alike() -> void:
 		await ticks(10)
 		var off := difference(tiles)
 		print("    parity after a change of method: %s of a blade's length" % String.num_scientific(off))
-		assert_less(off, MANY_STEPS)
+		assert_less(off, IN_CONTACT)  # 1.1e-4 on Vulkan, 1.7e-3 on Direct3D 12, whose translation rounds in another way
 
 
 func test_squashed_blades_rise_to_the_same_place() -> void:  # which way one unfolds may hang on its last bits: on the way they part

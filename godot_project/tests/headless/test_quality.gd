@@ -258,6 +258,10 @@ func test_the_project_has_a_level() -> void:
 	assert_near(GrassQuality.get_custom().lod_far, 0.3, 1e-6)
 
 
+func test_a_game_in_a_browser_starts_low() -> void:
+	assert_eq(ProjectSettings.get_setting(LEVEL_SETTING + ".web"), GrassQuality.LEVEL_LOW)
+
+
 func test_the_guide_has_the_factors() -> void:
 	var page := FileAccess.get_file_as_string(ProjectSettings.globalize_path("res://").path_join(PAGE))
 	if page.is_empty():
