@@ -138,8 +138,8 @@ void CpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
 }
 
 void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
-	const std::vector<int> rooms(p_plants.size(), FIRST_INSTANCES);
-	_plants.set(p_plants, rooms, shader_features(_setup), false, field_bounds(_setup, _cover.get()));
+	_plants.set(
+			p_plants, [](float) { return FIRST_INSTANCES; }, shader_features(_setup), false, field_bounds(_setup, _cover.get()));
 	_plant_cull = {};
 	_plants_of = p_plants_of;
 	_tiles_changed = true;
@@ -150,18 +150,17 @@ void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 void CpuBackend::choose_plants(const FieldView &p_view) {
 	PlantCull::Kinds kinds{};
 	for (const auto &plant : _plants.get()) {
-		PlantKind &kind = kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
-		kind.distance *= p_view.plant_reach;
+		kinds[size_t(plant->number())] = plant->drawn.kind(plant->stage, p_view.plant_reach, _setup.grid.get_tile_size());
 	}
 	_plants.fit(_setup.cull_field(), p_view, _cover ? _cover->get_extremes() : TileCover::FULL);
 	_plant_cull.choose(
 			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, kinds);
-	_statistics.drawn_plants = _statistics.left_out_plants = 0;
+	_statistics.drawn_plants = _statistics.drawn_impostors = _statistics.left_out_plants = 0;
 	for (const auto &plant : _plants.get()) {
-		const int count = std::min(_plant_cull.get_count(plant->species), Plants::ROOM);
-		show_instances(plant->instance, _plant_cull.get_instances(plant->species).first(size_t(count) * GRASS_INSTANCE_FLOATS));
-		_statistics.drawn_plants += count;
-		_statistics.left_out_plants += _plant_cull.get_count(plant->species) - count;
+		const int chosen = _plant_cull.get_count(plant->number()), count = std::min(chosen, Plants::ROOM);
+		show_instances(plant->instance, _plant_cull.get_instances(plant->number()).first(size_t(count) * GRASS_INSTANCE_FLOATS));
+		(plant->stage == GRASS_PLANT_MESH ? _statistics.drawn_plants : _statistics.drawn_impostors) += count;
+		_statistics.left_out_plants += chosen - count;
 	}
 }
 

@@ -9,7 +9,10 @@ namespace grass {
 
 bool prepare_shaders(const Look &p_look) {
 	const bool has_blades = prepare_shader(BladeMaterials::blade_text(p_look)) & prepare_shader(BladeMaterials::shadow_text(p_look));
-	const bool has_plants = (p_look.features & SHADER_PLANTS) == 0 || prepare_shader(Plants::text(p_look.features));
+	bool has_plants = true;
+	for (const int stage : { GRASS_PLANT_MESH, GRASS_PLANT_IMPOSTOR }) {
+		has_plants = ((p_look.features & SHADER_PLANTS) == 0 || prepare_shader(Plants::text(p_look.features, stage))) && has_plants;
+	}
 	return prepare_shader(Ground::text(p_look)) && has_blades && has_plants; // threads take all of them
 }
 

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace godot;
 
@@ -26,9 +28,26 @@ constexpr double LIFT_OF_CELLS = 0.03;
 // More: vertices that make no visible difference.
 constexpr double CELL = GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS;
 constexpr int MOST_CELLS = 256;
+constexpr double CLOSE = 0.01; // metres; closer lines are one
 
-int cells_along(double p_metres) {
-	return std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
+// Where the sheet's cells begin and end along an axis, metres from the field's middle: where heights lie, if they have a grid of their own.
+std::vector<double> lines_along(double p_metres, bool p_has_grid, double p_offset) {
+	const int cells = std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
+	const double half = 0.5 * p_metres, first = std::ceil(-half - p_offset - 0.5) + 0.5 + p_offset;
+	std::vector<double> lines{ -half };
+	if (p_has_grid && p_metres <= MOST_CELLS * CELL) {
+		for (double line = first; line < half - CLOSE; line += CELL) {
+			if (line > -half + CLOSE) {
+				lines.push_back(line);
+			}
+		}
+	} else {
+		for (int n = 1; n < cells; n++) {
+			lines.push_back(p_metres * n / cells - half);
+		}
+	}
+	lines.push_back(half);
+	return lines;
 }
 } // namespace
 
@@ -41,6 +60,7 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	_grid = p_grid;
 	_low = _high = 0.0f;
 	_has_ledges = false;
+	_heights = GroundGrid();
 	_material.instantiate();
 	set_look(p_look);
 	_material->set_shader_parameter("size", Vector2(real_t(p_grid.get_size_x()), real_t(p_grid.get_size_z())));
@@ -52,10 +72,13 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
-Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
-	const bool is_flat = p_sheet == Sheet::FLAT, is_split = p_sheet == Sheet::LEDGES;
-	const int columns = is_flat ? 1 : cells_along(p_x), rows = is_flat ? 1 : cells_along(p_z);
-	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max(p_x / columns, p_z / rows);
+Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet, const GroundGrid &p_heights) {
+	const bool is_flat = p_sheet == Sheet::FLAT, is_split = p_sheet == Sheet::LEDGES, has_grid = !(p_heights == GroundGrid());
+	const Eigen::Vector2d offset = p_heights.offset();
+	const std::vector<double> along_x = is_flat ? std::vector{ -0.5 * p_x, 0.5 * p_x } : lines_along(p_x, has_grid, offset.x()),
+							  along_z = is_flat ? std::vector{ -0.5 * p_z, 0.5 * p_z } : lines_along(p_z, has_grid, offset.y());
+	const int columns = int(along_x.size()) - 1, rows = int(along_z.size()) - 1;
+	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max({ has_grid ? CELL : 0.0, p_x / columns, p_z / rows });
 	const int64_t cells = int64_t(columns) * rows;
 	PackedVector3Array vertices, normals;
 	PackedVector2Array middles; // of the cells
@@ -65,9 +88,6 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
 	normals.fill(Vector3(0, 1, 0));
 	indices.resize(6 * cells);
 	Vector3 *vertex = vertices.ptrw();
-	const auto place = [&](double p_i, double p_j) {
-		return Vector3(real_t(p_x * p_i / columns - 0.5 * p_x), real_t(lift), real_t(p_z * p_j / rows - 0.5 * p_z));
-	};
 	if (is_split) {
 		middles.resize(vertices.size());
 	}
@@ -75,20 +95,22 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
 	for (int j = 0; j < rows + (is_split ? 0 : 1); j++) {
 		for (int i = 0; i < columns + (is_split ? 0 : 1); i++) {
 			for (int corner = 0; corner < (is_split ? 4 : 1); corner++) {
-				*vertex++ = place(i + (corner & 1), j + (corner >> 1));
+				*vertex++ = Vector3(real_t(along_x[size_t(i + (corner & 1))]), real_t(lift), real_t(along_z[size_t(j + (corner >> 1))]));
 				if (is_split) {
-					const Vector3 centre = place(i + 0.5, j + 0.5);
-					*middle++ = Vector2(centre.x, centre.z);
+					*middle++ = Vector2(real_t(0.5 * (along_x[size_t(i)] + along_x[size_t(i) + 1])),
+							real_t(0.5 * (along_z[size_t(j)] + along_z[size_t(j) + 1])));
 				}
 			}
 		}
 	}
+	const bool is_beside = p_heights.split == GroundSplit::BESIDE;
 	int32_t *index = indices.ptrw();
 	for (int j = 0; j < rows; j++) {
 		for (int i = 0; i < columns; i++) {
 			const int32_t first = is_split ? 4 * (j * columns + i) : j * (columns + 1) + i,
 						  next = is_split ? first + 2 : first + columns + 1;
-			for (const int32_t corner : { first, first + 1, next + 1, first, next + 1, next }) {
+			const int32_t second = is_beside ? next : next + 1, third = is_beside ? first + 1 : first;
+			for (const int32_t corner : { first, first + 1, second, third, next + 1, next }) {
 				*index++ = corner;
 			}
 		}
@@ -109,14 +131,14 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
 
 // Shares the mesh: a sheet on hills has a hundred thousand triangles, and all plots of a world have the same size.
 void Ground::make_mesh() {
-	static std::map<std::tuple<double, double, Sheet>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
+	static std::map<std::tuple<double, double, Sheet, uint32_t>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
 	const double x = _grid.get_size_x(), z = _grid.get_size_z();
 	const Sheet sheet = find_sheet();
 	std::erase_if(sheets, [](const auto &p_entry) { return p_entry.second.expired(); });
-	std::weak_ptr<Ref<ArrayMesh>> &known = sheets[{ x, z, sheet }];
+	std::weak_ptr<Ref<ArrayMesh>> &known = sheets[{ x, z, sheet, pack_ground_grid(_heights) }];
 	std::shared_ptr<Ref<ArrayMesh>> mesh = known.lock();
 	if (!mesh) {
-		mesh = std::make_shared<Ref<ArrayMesh>>(make_sheet(x, z, sheet));
+		mesh = std::make_shared<Ref<ArrayMesh>>(make_sheet(x, z, sheet, _heights));
 		known = mesh;
 	}
 	RenderingServer::get_singleton()->instance_set_base(_instance, (*mesh)->get_rid());
@@ -125,15 +147,17 @@ void Ground::make_mesh() {
 	_material->set_shader_parameter("is_split", sheet == Sheet::LEDGES);
 }
 
-void Ground::set_heights(float p_low, float p_high, bool p_has_ledges) {
-	if (!_instance.is_valid() || (p_low == _low && p_high == _high && p_has_ledges == _has_ledges)) {
+void Ground::set_heights(float p_low, float p_high, bool p_has_ledges, const GroundGrid &p_heights) {
+	const bool is_same = p_low == _low && p_high == _high && p_has_ledges == _has_ledges && p_heights == _heights;
+	if (!_instance.is_valid() || is_same) {
 		return;
 	}
 	const Sheet before = find_sheet();
 	_low = p_low;
 	_high = p_high;
 	_has_ledges = p_has_ledges;
-	if (before != find_sheet()) {
+	const bool lie_elsewhere = !(std::exchange(_heights, p_heights) == p_heights);
+	if (before != find_sheet() || lie_elsewhere) {
 		make_mesh();
 	}
 	const real_t x = real_t(_grid.get_size_x()), z = real_t(_grid.get_size_z());

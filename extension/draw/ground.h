@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/tile_grid.h"
+#include "core/map/ground_grid.h"
 #include "draw/node_follower.h"
 #include "draw/shared_shader.h"
 
@@ -26,9 +27,9 @@ public:
 	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
 	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
-	// Sets the range of the map's ground, metres above the field, and whether it may have ledges. Replaces the mesh when either appears or
-	// goes.
-	void set_heights(float p_low, float p_high, bool p_has_ledges);
+	// Sets the range of the map's ground, metres above the field, whether it may have ledges, and where its heights lie. Replaces the mesh
+	// when hills or ledges appear or go, or heights lie elsewhere.
+	void set_heights(float p_low, float p_high, bool p_has_ledges, const GroundGrid &p_heights);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void free();
@@ -40,13 +41,14 @@ private:
 		HILLS, // cells with shared corners
 		LEDGES, // cells without shared corners, each on its own side
 	};
-	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, Sheet p_sheet); // metres
+	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, Sheet p_sheet, const GroundGrid &p_heights); // metres
 	Sheet find_sheet() const { return _has_ledges ? Sheet::LEDGES : (_low == 0.0f && _high == 0.0f ? Sheet::FLAT : Sheet::HILLS); }
 	void make_mesh();
 
 	TileGrid _grid;
 	float _low = 0.0f, _high = 0.0f;
 	bool _has_ledges = false;
+	GroundGrid _heights;
 	std::shared_ptr<godot::Ref<godot::ArrayMesh>> _mesh; // grounds of the same size and shape share it
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;

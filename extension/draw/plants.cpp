@@ -10,13 +10,12 @@ namespace grass {
 
 namespace {
 
-std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_species, int p_features) {
+std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_features) {
 	std::vector<Ref<ShaderMaterial>> materials;
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		Ref<ShaderMaterial> &material = materials.emplace_back();
 		material.instantiate();
-		material->set_shader(shared_shader(Plants::text(p_features)));
-		material->set_shader_parameter("plant_species", p_species);
+		material->set_shader(shared_shader(Plants::text(p_features, GRASS_PLANT_MESH)));
 		material->set_shader_parameter("plant_color", surface.color);
 		material->set_shader_parameter("plant_scissor", surface.scissor);
 		if (surface.texture.is_valid()) {
@@ -26,32 +25,50 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 	return materials;
 }
 
-} // namespace
-
-ShaderText Plants::text(int p_features) {
-	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
-	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges, String() } };
+std::vector<Ref<ShaderMaterial>> make_materials(const PlantImpostor &p_impostor, int p_features) {
+	Ref<ShaderMaterial> material;
+	material.instantiate();
+	material->set_shader(shared_shader(Plants::text(p_features, GRASS_PLANT_IMPOSTOR)));
+	material->set_shader_parameter("impostor_colors", p_impostor.colors);
+	material->set_shader_parameter("impostor_normals", p_impostor.normals);
+	return { material };
 }
 
-void Plants::set(
-		const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect, const AABB &p_bounds) {
+} // namespace
+
+ShaderText Plants::text(int p_features, int p_stage) {
+	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
+	const int impostor = p_stage == GRASS_PLANT_IMPOSTOR ? SHADER_IMPOSTOR : 0;
+	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges | impostor, String() } };
+}
+
+void Plants::set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float)> &p_room, int p_features, bool p_indirect,
+		const AABB &p_bounds) {
 	_plants.clear();
 	for (size_t species = 0; species < p_plants.size(); species++) {
 		const DrawnPlant &drawn = p_plants[species];
-		if (!drawn.model) {
-			continue;
+		for (int stage = 0; stage < GRASS_PLANT_STAGES; stage++) {
+			if (drawn.has(stage)) {
+				add(drawn, int(species), stage, p_room(drawn.kind(stage, 1.0f, 1.0).distance), p_features, p_indirect, p_bounds);
+			}
 		}
-		Plant &plant = *_plants.emplace_back(std::make_unique<Plant>());
-		plant.species = int(species);
-		plant.drawn = drawn;
-		plant.materials = make_materials(*drawn.model, plant.species, p_features);
-		const Ref<ArrayMesh> mesh = make_plant_mesh(*drawn.model);
-		for (size_t s = 0; s < plant.materials.size(); s++) {
-			mesh->surface_set_material(int32_t(s), plant.materials[s]);
-		}
-		plant.instance.create(std::make_shared<const Ref<ArrayMesh>>(mesh), Ref<ShaderMaterial>(), p_rooms[species],
-				p_indirect ? Written::BY_GPU : Written::BY_CPU, p_bounds, Role::BOTH);
 	}
+}
+
+void Plants::add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, int p_features, bool p_indirect, const AABB &p_bounds) {
+	Plant &plant = *_plants.emplace_back(std::make_unique<Plant>());
+	plant.species = p_species;
+	plant.stage = p_stage;
+	plant.drawn = p_drawn;
+	const bool is_mesh = p_stage == GRASS_PLANT_MESH;
+	plant.materials = is_mesh ? make_materials(*p_drawn.model, p_features) : make_materials(*p_drawn.impostor, p_features);
+	const Ref<ArrayMesh> mesh = is_mesh ? make_plant_mesh(*p_drawn.model) : make_impostor_mesh(*p_drawn.impostor);
+	for (size_t s = 0; s < plant.materials.size(); s++) {
+		plant.materials[s]->set_shader_parameter("plant_species", p_species);
+		mesh->surface_set_material(int32_t(s), plant.materials[s]);
+	}
+	plant.instance.create(std::make_shared<const Ref<ArrayMesh>>(mesh), Ref<ShaderMaterial>(), p_room,
+			p_indirect ? Written::BY_GPU : Written::BY_CPU, p_bounds, Role::BOTH);
 }
 
 void Plants::set_uniform(const StringName &p_name, const Variant &p_value) {
@@ -70,7 +87,7 @@ void Plants::set_bounds(const AABB &p_bounds) {
 
 void Plants::fit(const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground) {
 	for (const auto &plant : _plants) {
-		plant->instance.need(is_within(p_field, p_view, p_ground, plant->drawn.distance * p_view.plant_reach));
+		plant->instance.need(is_within(p_field, p_view, p_ground, plant->drawn.kind(plant->stage, p_view.plant_reach, 1.0).distance));
 	}
 }
 
@@ -91,7 +108,9 @@ int64_t Plants::get_updates() const {
 int64_t Plants::get_memory_usage() const {
 	int64_t bytes = 0;
 	for (const auto &plant : _plants) {
-		bytes += plant->drawn.model->get_memory_usage() + int64_t(plant->instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+		const DrawnPlant &drawn = plant->drawn;
+		bytes += plant->stage == GRASS_PLANT_MESH ? drawn.model->get_memory_usage() : drawn.impostor->get_memory_usage();
+		bytes += int64_t(plant->instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
 	return bytes;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a field's plants: for each species with a mesh a MultiMesh, whose instances a backend writes, and materials.
+// Draws a field's plants: for each species with a mesh, and for its impostor, a MultiMesh, whose instances a backend writes, and materials.
 #pragma once
 
 #include "core/lod/field_levels.h"
@@ -10,6 +10,7 @@
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,18 +19,20 @@ namespace grass {
 class Plants {
 public:
 	struct Plant {
-		int species;
+		int species, stage; // GRASS_PLANT_MESH or GRASS_PLANT_IMPOSTOR
 		DrawnPlant drawn;
 		FieldInstance instance;
 		std::vector<godot::Ref<godot::ShaderMaterial>> materials; // of the mesh's surfaces
+		int number() const { return species + GRASS_MAX_SPECIES * stage; } // among all of a field, as PlantCull::Kinds
 	};
 
 	// Most plants of one species drawn at once.
 	static constexpr int ROOM = 65536;
 
-	static ShaderText text(int p_features); // of the shader for fields with these ShaderFeatures
-	// Sets the plants. p_plants: by species. p_rooms: capacities of their MultiMeshes. Uniforms must be set again afterwards.
-	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,
+	static ShaderText text(int p_features, int p_stage); // of the shader for fields with these ShaderFeatures
+	// Sets the plants. p_plants: by species. p_room: the capacity of the MultiMesh for plants within a distance, metres. Uniforms must be
+	// set again afterwards.
+	void set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float p_distance)> &p_room, int p_features, bool p_indirect,
 			const godot::AABB &p_bounds);
 	// Sets a uniform of the materials. A shader ignores a uniform that it does not have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
@@ -44,6 +47,9 @@ public:
 	int64_t get_memory_usage() const; // bytes
 
 private:
+	void add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, int p_features, bool p_indirect,
+			const godot::AABB &p_bounds);
+
 	std::vector<std::unique_ptr<Plant>> _plants;
 };
 

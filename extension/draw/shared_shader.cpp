@@ -160,6 +160,7 @@ String make_shader_code(const char *p_code, const Look &p_look) {
 	head += features & SHADER_PLANTS ? "\n#define GRASS_PLANTS" : "";
 	head += features & SHADER_TERRAIN ? "\n#define GRASS_TERRAIN" : "";
 	head += features & SHADER_LEDGES ? "\n#define GRASS_LEDGES" : "";
+	head += features & SHADER_IMPOSTOR ? "\n#define GRASS_IMPOSTOR" : "";
 	head += hook.is_empty() ? "" : "\n#define GRASS_HOOK";
 	const String code = String::utf8(p_code).replace("shader_type spatial;", head);
 	return hook.is_empty() ? code : code.replace("GRASS_HOOK_TEXT", hook);

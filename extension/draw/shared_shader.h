@@ -20,6 +20,7 @@ enum ShaderFeature {
 	SHADER_PLANTS = 8, // GRASS_PLANTS; likewise
 	SHADER_TERRAIN = 16, // GRASS_TERRAIN
 	SHADER_LEDGES = 32, // GRASS_LEDGES; with SHADER_MAP only
+	SHADER_IMPOSTOR = 64, // GRASS_IMPOSTOR; of plants only
 };
 
 // The vertex data of a mesh: none, for blades; position and normal; or these, UV and three numbers.

@@ -3,6 +3,7 @@
 
 #include "core/paint/brush_keys.h"
 #include "editor/painted_fields.h"
+#include "physics/grid_search.h"
 #include "physics/ground_rays.h"
 
 #include <cmath>
@@ -105,10 +106,15 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 	const double radius = 0.5 * (p_shape.get_max() - p_shape.get_min()).maxCoeff();
 	const double span = search_height(radius + border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
-	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); };
-	const LedgeSearch search{ height, field->get_param(PARAM_LEDGE_SLOPE) };
-	const LaidGround laid =
-			_map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search); });
+	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place, p_level - span, p_level + span); };
+	const auto between = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); };
+	const LedgeSearch search{ between, field->get_param(PARAM_LEDGE_SLOPE) };
+	const bool is_first = is_all_ground_in(_map->get_map(), region);
+	const GroundGrid grid = is_first ? search_grid(rays, region, field->field_transform()) : _map->get_map().get_ground_grid();
+	const LaidGround laid = _map->change([&](PaintMap &r_map) {
+		r_map.set_ground_grid(grid);
+		return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search);
+	});
 	r_costs.rays += laid.sampled;
 	_changed = _changed || !laid.changed.empty();
 }

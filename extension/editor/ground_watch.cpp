@@ -271,13 +271,14 @@ bool GroundWatch::read_on(int64_t p_most) {
 		left.max().y() += TEXEL;
 	}
 	const auto height_at = [&](const Eigen::Vector2d &p_place) {
-		const double height = rays.height_at(p_place);
+		const double height = rays.height_at_corner(p_place);
 		const double before = std::isnan(height) && piece.before ? piece.before->sample(MAP_GROUND, 0, p_place) : 0.0;
 		const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
 		return comes_down ? 0.0 : height;
 	};
-	if (!piece.reading) {
-		piece.reading.emplace(piece.region, GroundRule{ MissingGround::STAYS, field->get_param(PARAM_LEDGE_SLOPE) });
+	const GroundGrid &grid = field->get_map()->get_map().get_ground_grid();
+	if (!piece.reading || !(piece.reading->get_rule().grid == grid)) {
+		piece.reading.emplace(piece.region, GroundRule{ MissingGround::STAYS, field->get_param(PARAM_LEDGE_SLOPE), false, grid });
 	}
 	const int64_t sampled = piece.reading->get_sampled();
 	const bool is_done = piece.reading->read(height_at, height_at, p_most);

@@ -4,7 +4,7 @@
 #include "draw/patch_texture.h"
 
 #include <godot_cpp/variant/packed_float32_array.hpp>
-#include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/packed_vector4_array.hpp>
 
 #include <utility>
@@ -136,12 +136,12 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 // How plants with a mesh look as blades, and where they are.
 void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set) {
 	PackedVector4Array looks, bands;
-	PackedVector2Array reaches;
+	PackedVector3Array reaches;
 	PackedFloat32Array rows;
 	for (const DrawnPlant &plant : p_plants) {
 		const Color color = plant.model ? plant.model->color : Color();
 		looks.push_back({ real_t(color.r), real_t(color.g), real_t(color.b), plant.cover() });
-		reaches.push_back({ plant.distance * p_reach, plant.width() });
+		reaches.push_back(Vector3(real_t(plant.blade_distance() * p_reach), real_t(plant.width()), real_t(plant.distance * p_reach)));
 		for (const PlantModel::Band &band : plant.model ? plant.model->bands : decltype(PlantModel::bands)()) {
 			bands.push_back({ real_t(band.color.r), real_t(band.color.g), real_t(band.color.b), band.width });
 			rows.push_back(band.rows);

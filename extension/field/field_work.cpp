@@ -3,6 +3,7 @@
 
 #include "core/field/grass_at.h"
 #include "field/work_limits.h"
+#include "physics/grid_search.h"
 #include "physics/ground_rays.h"
 #include "physics/ground_sheet.h"
 #include "physics/node_colliders.h"
@@ -210,7 +211,13 @@ std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
 	return shared;
 }
 
-int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between) {
+// The grid by which ground is laid in p_region: as it was found, unless the map keeps other ground.
+GroundGrid FieldWork::grid_for(const MapRegion &p_region, const GroundGrid &p_found) const {
+	const bool is_free = _properties.map.is_null() || is_all_ground_in(_properties.map->get_map(), p_region);
+	return is_free ? p_found : _properties.map->get_map().get_ground_grid();
+}
+
+int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const GroundGrid &p_grid, const HeightAt &p_height, const HeightAt &p_between) {
 	GrassMap *map = _host.need_map("bake_ground");
 	if (map == nullptr) {
 		return 0;
@@ -224,6 +231,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 			found += is_told && std::isfinite(height) ? 1 : 0;
 			return height;
 		};
+		r_map.set_ground_grid(p_grid);
 		return lay_ground(r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
 	});
 	return found;
@@ -247,8 +255,10 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask, bool p_is_
 							"Call it with several smaller regions, in as many frames."))) {
 		return 0;
 	}
-	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place); };
-	return lay_ground_by(*region, height, height);
+	const GroundGrid grid = grid_for(*region, search_grid(rays, *region, _host.field_transform()));
+	return lay_ground_by(
+			*region, grid, [&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place); },
+			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place); });
 }
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -256,16 +266,19 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a finite transform."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
-	const MapRegion region = ground().grown(GROUND_BORDER).shared(ground_shape_bounds(p_shape, to_field() * to_eigen(p_transform)));
+	const GroundTriangles triangles(p_shape);
+	const Eigen::Affine3d shape_to_field = to_field() * to_eigen(p_transform);
+	const MapRegion region = ground().grown(GROUND_BORDER).shared(ground_bounds(triangles, shape_to_field));
 	if (!region.has_area() ||
 			is_too_large("bake_ground_from", area_of({ nullptr, region.shared(ground()) }), AREA_MAX,
 					"Give it the ground in several smaller shapes, in as many frames.")) {
 		return 0;
 	}
-	HeightSheet sheet(region.grown(GroundReading::REACH * info_of(MAP_GROUND).texel_size()));
-	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
+	const GroundGrid grid = grid_for(region, triangles.find_grid(shape_to_field).value_or(GroundGrid()));
+	HeightSheet sheet(region.grown(GroundReading::REACH * info_of(MAP_GROUND).texel_size()), grid);
+	add_ground(sheet, triangles, shape_to_field);
 	return lay_ground_by(
-			region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); },
+			region, grid, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); },
 			[&](const Eigen::Vector2d &p_place) { return sheet.between(p_place); });
 }
 

@@ -55,7 +55,8 @@ private:
 	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
 	std::optional<MapRegion> bake_region(const godot::Rect2 &p_region) const;
-	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between);
+	GroundGrid grid_for(const MapRegion &p_region, const GroundGrid &p_found) const;
+	int64_t lay_ground_by(const MapRegion &p_region, const GroundGrid &p_grid, const HeightAt &p_height, const HeightAt &p_between);
 
 	FieldHost &_host;
 	const StandingField &_standing;

@@ -132,6 +132,9 @@ void StandingField::bind_map(bool p_all) {
 	}
 	if (_map) {
 		set_uniform("map_base_density", _map->get_map()->get_base_density());
+		const GroundGrid &heights = _map->get_layers().get_ground_grid();
+		const Eigen::Vector2d offset = heights.offset();
+		set_uniform("map_ground_grid", Vector3(real_t(offset.x()), real_t(offset.y()), real_t(heights.split)));
 	}
 }
 
@@ -204,7 +207,7 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	}
 	const bool is_carried = _properties.has_soil;
 	if (const TileCover *cover = _map ? _map->get_layers().get_cover().get() : nullptr) {
-		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());
+		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges(), _map->get_layers().get_ground_grid());
 	}
 	_ground.follow(p_node, p_transform, is_carried);
 	if (_is_carried != is_carried) {

@@ -105,6 +105,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["render_jobs"] = backend.render_jobs;
 	result["instance_updates"] = p_statistics.instance_updates;
 	result["drawn_plants"] = backend.drawn_plants;
+	result["drawn_impostors"] = backend.drawn_impostors;
 	result["left_out_plants"] = backend.left_out_plants;
 	result["shadow_tiles"] = drawn.tiles[1];
 	result["shadow_blades"] = backend.shadow_blades;

@@ -12,11 +12,11 @@ namespace grass {
 
 namespace {
 
-// Returns the number of plants within reach of a camera if all blades were of this species.
-int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
+// Returns the number of plants within a distance of a camera if all blades were of one species.
+int plant_room(const FieldSetup &p_setup, float p_distance) {
 	const double size = p_setup.grid.get_tile_size();
-	const double side_x = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_x()) * size),
-				 side_z = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_z()) * size);
+	const double side_x = std::min(2.0 * double(p_distance), double(p_setup.grid.get_tiles_x()) * size),
+				 side_z = std::min(2.0 * double(p_distance), double(p_setup.grid.get_tiles_z()) * size);
 	return int(std::min(side_x * side_z / (size * size) * GRASS_BLADES_PER_TILE + GRASS_BLADES_PER_TILE, double(Plants::ROOM)));
 }
 
@@ -42,11 +42,8 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 		return;
 	}
 	post([setup = _setup](GpuField &r_field) { r_field.set_plants(setup, {}); }); // while they are still there
-	std::vector<int> rooms;
-	for (const DrawnPlant &plant : p_plants) {
-		rooms.push_back(plant_room(_setup, plant));
-	}
-	_plants.set(p_plants, rooms, shader_features(_setup), true, _bounds);
+	_plants.set(
+			p_plants, [this](float p_distance) { return plant_room(_setup, p_distance); }, shader_features(_setup), true, _bounds);
 	set_bounds(_bounds);
 	_is_fitted = false;
 	_painted = {};
@@ -56,8 +53,8 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	set_uniform("is_flipped", _is_flipped);
 	std::vector<PlantTarget> targets;
 	for (const auto &plant : _plants.get()) {
-		targets.push_back({ plant->instance.multimesh(), plant->species, plant->instance.capacity(), int(plant->materials.size()),
-				plant->drawn.kind(_setup.grid.get_tile_size()) });
+		const PlantKind kind = plant->drawn.kind(plant->stage, 1.0f, _setup.grid.get_tile_size());
+		targets.push_back({ plant->instance.multimesh(), plant->number(), plant->instance.capacity(), int(plant->materials.size()), kind });
 	}
 	post([setup = _setup, targets](GpuField &r_field) { r_field.set_plants(setup, targets); });
 }

@@ -47,7 +47,8 @@ void GpuField::set_plants(const FieldSetup &p_setup, const std::vector<PlantTarg
 	_plants.set(p_setup, p_targets);
 	std::lock_guard lock(_report->mutex);
 	report_memory();
-	_report->statistics.drawn_plants = _report->statistics.left_out_plants = 0;
+	BackendStatistics &statistics = _report->statistics;
+	statistics.drawn_plants = statistics.drawn_impostors = statistics.left_out_plants = 0;
 }
 
 bool GpuField::bind_plants(const ViewRecords &p_records) {
@@ -148,7 +149,7 @@ void GpuField::report_counts(int64_t p_uploaded) {
 				PlantPasses::tell(targets, p_data, report->statistics);
 			}
 		};
-		RenderQueue::get_singleton()->read_later(_plants.counts(), GRASS_MAX_SPECIES * 4, receive_plants);
+		RenderQueue::get_singleton()->read_later(_plants.counts(), PlantPasses::COUNT_BYTES, receive_plants);
 	}
 }
 

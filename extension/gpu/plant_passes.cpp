@@ -52,7 +52,7 @@ void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> 
 	mix.count = p_setup.species->get_count();
 	mix.texel = p_setup.species->get_texel_units();
 	_mix.upload(std::span<const Mix>(&mix, 1));
-	_counts.resize(GRASS_MAX_SPECIES * 4);
+	_counts.resize(COUNT_BYTES);
 	for (const PlantTarget &target : p_targets) {
 		_targets.push_back({ target, std::make_unique<GpuPass>() });
 		_targets.back().pass->create(code(_is_mapped));
@@ -101,7 +101,8 @@ void PlantPasses::dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &
 		const int x = side_of(_grid.get_tiles_x(), double(distance), _grid.get_tile_size());
 		const int z = side_of(_grid.get_tiles_z(), double(distance), _grid.get_tile_size());
 		for (const int phase : { GRASS_PLANTS_CHOOSE, GRASS_PLANTS_FINISH }) {
-			const Constants constants{ { phase, target.species, target.room, target.surfaces }, { float(x), float(z), distance, 0.0f },
+			const Constants constants{ { phase, target.number, target.room, target.surfaces },
+				{ float(x), float(z), distance, target.kind.nearest * _reach },
 				{ float(p_painted.origin.x), float(p_painted.origin.y), target.kind.length, target.kind.cover } };
 			const uint32_t groups = phase == GRASS_PLANTS_FINISH ? 1 : uint32_t(x) * uint32_t(z) * uint32_t(p_cameras);
 			choosing.pass->dispatch(p_list, constants, groups);
@@ -119,10 +120,10 @@ std::vector<PlantTarget> PlantPasses::get_targets() const {
 }
 
 void PlantPasses::tell(const std::vector<PlantTarget> &p_targets, const PackedByteArray &p_counts, BackendStatistics &r_statistics) {
-	r_statistics.drawn_plants = r_statistics.left_out_plants = 0;
+	r_statistics.drawn_plants = r_statistics.drawn_impostors = r_statistics.left_out_plants = 0;
 	for (const PlantTarget &target : p_targets) {
-		const int64_t chosen = p_counts.decode_u32(4 * target.species), room = target.room;
-		r_statistics.drawn_plants += std::min(chosen, room);
+		const int64_t chosen = p_counts.decode_u32(4 * target.number), room = target.room;
+		(target.number < GRASS_MAX_SPECIES ? r_statistics.drawn_plants : r_statistics.drawn_impostors) += std::min(chosen, room);
 		r_statistics.left_out_plants += std::max<int64_t>(chosen - room, 0);
 	}
 }

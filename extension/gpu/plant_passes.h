@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The passes of a frame that select the plants to draw by a mesh (shaders/species/plants.glsl), one for each species with a mesh. They live
+// The passes of a frame that select the plants to draw by a mesh or by its impostor (shaders/species/plants.glsl), one for each. They live
 // on the render thread, in GpuField.
 #pragma once
 
@@ -28,7 +28,7 @@ struct PaintedSpecies {
 // A MultiMesh of plants.
 struct PlantTarget {
 	godot::RID multimesh;
-	int species, room, surfaces;
+	int number, room, surfaces; // number: as PlantCull::Kinds
 	PlantKind kind;
 };
 
@@ -54,6 +54,7 @@ public:
 	void dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &p_painted);
 	void clear_counts();
 	godot::RID counts() const { return _counts.rid(); }
+	static constexpr int COUNT_BYTES = GRASS_MAX_SPECIES * GRASS_PLANT_STAGES * 4;
 	std::vector<PlantTarget> get_targets() const;
 	// Counts the plants with room, and those without.
 	static void tell(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
@@ -76,7 +77,7 @@ private:
 	bool _is_mapped = false, _is_new = false;
 	float _reach = 1.0f;
 	std::vector<Choosing> _targets;
-	GpuBuffer _mix, _counts; // of the species; plants chosen, by species
+	GpuBuffer _mix, _counts; // of the species; plants chosen, by number
 };
 
 } // namespace grass

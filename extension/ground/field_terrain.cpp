@@ -58,6 +58,7 @@ void FieldTerrain::forget() {
 	_row_samples.clear();
 	_areas.clear();
 	_is_all_changed = false;
+	_is_grid_due = false;
 	_beside.reset();
 	_beside_when_read.reset();
 }
@@ -143,6 +144,7 @@ bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 
 void FieldTerrain::read_all(bool p_is_elsewhere) {
 	_queue.add_all();
+	_is_grid_due = true;
 	if (_colors && p_is_elsewhere) {
 		_colors->clear();
 		_has_old_colors = true;

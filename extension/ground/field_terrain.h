@@ -75,7 +75,8 @@ private:
 	void forget();
 	bool watch_place(const godot::Transform3D &p_transform, const MapRegion &p_region);
 	void take_changes();
-	bool begin_piece(std::vector<Eigen::Vector2d> &r_eyes);
+	bool take_grid(const godot::Ref<GrassMap> &p_map);
+	bool begin_piece(const GroundGrid &p_grid, std::vector<Eigen::Vector2d> &r_eyes);
 	bool read_places();
 	bool may_go_on(bool p_is_first, int64_t p_begun, uint64_t p_since, FrameShare::Turn &r_turn) const;
 	void show_colors();
@@ -101,6 +102,7 @@ private:
 	bool _has_old_colors = false; // it shows colours of another place
 	std::vector<godot::AABB> _areas; // changed since the last frame, global
 	bool _is_all_changed = false;
+	bool _is_grid_due = false; // all is going to be read, so the ground may get another grid
 	int _frames_to_look = 0;
 	uint64_t _frame = UINT64_MAX; // of the process, in which queries were last counted
 	int64_t _last_query = 0; // allowed in that frame

@@ -57,6 +57,7 @@ void FieldTerrain::take_changes() {
 	}
 	if (_is_all_changed && _areas.empty()) {
 		_queue.add_all();
+		_is_grid_due = true;
 	}
 	_areas.clear();
 	_is_all_changed = false;
@@ -107,13 +108,44 @@ bool FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const s
 		return false;
 	}
 	if (has_new_textures) {
-		p_touched(piece.get_region());
+		p_touched(piece.get_region().grown(0.5 * info_of(MAP_GROUND).texel_size())); // so far the outermost texels reach
 	}
 	return true;
 }
 
+// Lets the map's heights lie where the terrain has its vertices, if all of its ground is this terrain's. Returns false if a script freed
+// the field.
+bool FieldTerrain::take_grid(const Ref<GrassMap> &p_map) {
+	_is_grid_due = false;
+	const std::shared_ptr<TerrainSource> source = _source;
+	std::optional<GroundGrid> grid;
+	if (!ask([&] { grid = source->find_grid(_field); })) {
+		return false;
+	}
+	const PaintMap &map = p_map->get_map();
+	if (source != _source || !grid || *grid == map.get_ground_grid() || !is_all_ground_in(map, _queue.get_area())) {
+		return true;
+	}
+	_piece.reset(); // of the grid before
+	_row.clear();
+	_row_samples.clear();
+	_queue.add_all();
+	return outlives(_node, [&] {
+		p_map.ptr()->change([&](PaintMap &r_map) {
+			r_map.set_ground_grid(*grid);
+			return BrushResult();
+		});
+	});
+}
+
 // Returns false if nothing waits to be read.
-bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
+bool FieldTerrain::begin_piece(const GroundGrid &p_grid, std::vector<Eigen::Vector2d> &r_eyes) {
+	if (_piece && !(_piece->get_grid() == p_grid)) { // the map was replaced or undone
+		_queue.add(_piece->get_region());
+		_piece.reset();
+		_row.clear();
+		_row_samples.clear();
+	}
 	if (_piece) {
 		return true;
 	}
@@ -122,7 +154,7 @@ bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 	}
 	const std::optional<MapRegion> region = _queue.take(r_eyes);
 	if (region) {
-		_piece.emplace(*region);
+		_piece.emplace(*region, p_grid);
 	}
 	return region.has_value();
 }
@@ -148,6 +180,12 @@ bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::fu
 	if (!_piece && _queue.get_waiting() == 0) {
 		return true;
 	}
+	if (_is_grid_due && !take_grid(p_map)) {
+		return false;
+	}
+	if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed the terrain or the field
+		return true;
+	}
 	std::vector<Eigen::Vector2d> eyes;
 	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may run more than once a frame
 		_frame = frame;
@@ -159,7 +197,7 @@ bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::fu
 	FrameShare::Turn turn(this);
 	const uint64_t since = Time::get_singleton()->get_ticks_usec();
 	while (may_go_on(is_first, begun, since, turn)) {
-		if (!begin_piece(eyes)) {
+		if (!begin_piece(p_map->get_map().get_ground_grid(), eyes)) {
 			return true;
 		}
 		if (!_piece->is_complete() && !read_places()) {

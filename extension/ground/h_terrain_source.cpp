@@ -66,6 +66,8 @@ public:
 		return node == nullptr ? Transform3D() : Transform3D(node->call(TRANSFORM));
 	}
 
+	std::optional<GroundGrid> find_grid(const Transform3D &p_field) override { return grid_of(p_field, get_transform()); }
+
 	std::vector<Notice> get_notices(const Handlers &p_handlers) const override {
 		return { { CHANGED, find_handler(p_handlers) }, { "resolution_changed", p_handlers.anywhere } };
 	}
@@ -128,8 +130,15 @@ private:
 		return p_image->get_pixel(int32_t(clip(p_cell.x, p_image->get_width())), int32_t(clip(p_cell.z, p_image->get_height())));
 	}
 
+	// Halfway between a pixel that cuts a hole and one that does not there is no ground either. The field may read just there.
 	static bool is_hole(const Ref<Image> &p_color, const Vector3 &p_cell) {
-		return p_color.is_valid() && pixel_of(p_color, p_cell).a < HOLE;
+		constexpr real_t BESIDE = real_t(0.01); // cells
+		if (p_color.is_null()) {
+			return false;
+		}
+		const Vector3 beside(BESIDE, 0, BESIDE), across(BESIDE, 0, -BESIDE);
+		return pixel_of(p_color, p_cell - beside).a < HOLE || pixel_of(p_color, p_cell + beside).a < HOLE ||
+				pixel_of(p_color, p_cell - across).a < HOLE || pixel_of(p_color, p_cell + across).a < HOLE;
 	}
 
 	// The two that weigh most of three; the third one's weight is what the others leave.

@@ -6,6 +6,8 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
@@ -46,6 +48,26 @@ String describe(const Variant &p_value) {
 
 Transform3D TerrainSource::get_transform() const {
 	return Transform3D();
+}
+
+std::optional<GroundGrid> TerrainSource::grid_of(const Transform3D &p_field, const Transform3D &p_cells) {
+	const Transform3D cells = p_field.affine_inverse() * p_cells;
+	const auto flat = [](const Vector3 &p_at) { return Eigen::Vector2d(p_at.x, p_at.z); };
+	return GroundGrid::of_cells(flat(cells.origin), flat(cells.basis.get_column(0)), flat(cells.basis.get_column(2)));
+}
+
+std::optional<GroundGrid> TerrainSource::find_grid(const Transform3D &p_field) {
+	static constexpr const char *SPACING = "get_vertex_spacing";
+	const Node *node = get_node();
+	if (node == nullptr || !node->has_method(SPACING)) {
+		return {};
+	}
+	const double spacing = to_number(ask_node(SPACING), SPACING);
+	if (!(spacing > 0.0) || !std::isfinite(spacing)) {
+		return {};
+	}
+	const real_t side = real_t(spacing);
+	return grid_of(p_field, Transform3D(Basis(Vector3(side, 0, 0), Vector3(0, side, 0), Vector3(0, 0, side)), Vector3()));
 }
 
 AABB TerrainSource::to_area(const Vector2 &, const Vector2 &) const {

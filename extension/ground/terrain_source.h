@@ -15,6 +15,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,9 @@ public:
 	virtual size_t get_places_at_once() const { return 1; }
 	// Returns the terrain's transform. Samples stay valid as long as the field does not move relative to it.
 	virtual godot::Transform3D get_transform() const;
+
+	// Returns where the terrain has its vertices in p_field (global, upright); nothing where that is not known or no grid of whole metres.
+	virtual std::optional<GroundGrid> find_grid(const godot::Transform3D &p_field);
 
 	// What to call when something changes, and the signal of get_emitter() that triggers it.
 	struct Handlers {
@@ -101,6 +105,9 @@ protected:
 	static TerrainColor unless_white(const TerrainColor &p_color) {
 		return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
 	}
+
+	// The grid of cells from p_cells.origin along its x and z.
+	static std::optional<GroundGrid> grid_of(const godot::Transform3D &p_field, const godot::Transform3D &p_cells);
 
 private:
 	void complain(const godot::Variant &p_value, const char *p_method, const godot::String &p_wanted);

@@ -9,6 +9,7 @@
 #include <godot_cpp/classes/rigid_body3d.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 using namespace godot;
@@ -52,25 +53,37 @@ GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, 
 	_query->set_collision_mask(uint32_t(p_mask));
 }
 
-std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
+// Empty: there is none.
+Dictionary GroundRays::find_hit(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
 	const Vector3 from = to_godot(Eigen::Vector3d(_field * p_from)), to = to_godot(Eigen::Vector3d(_field * p_to));
 	if (_space == nullptr || !from.is_finite() || !to.is_finite()) {
-		return {};
+		return Dictionary();
 	}
 	_query->set_from(from);
 	_query->set_to(to);
 	while (true) {
 		const Dictionary hit = _space->intersect_ray(_query);
 		if (hit.is_empty()) {
-			return {};
+			return hit;
 		}
-		Object *body = hit["collider"];
+		const Object *body = hit["collider"];
 		if (is_ground(body)) {
-			return Eigen::Vector3d(_to_field * to_eigen(Vector3(hit["position"])));
+			return hit;
 		}
 		_passed.push_back(hit["rid"]); // not hit again, so the loop ends
 		_query->set_exclude(_passed);
 	}
+}
+
+std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
+	const Dictionary hit = find_hit(p_from, p_to);
+	return hit.is_empty() ? std::nullopt : std::optional<Eigen::Vector3d>(_to_field * to_eigen(Vector3(hit["position"])));
+}
+
+std::optional<GroundRays::Hit> GroundRays::hit_at(const Eigen::Vector2d &p_place) {
+	const Dictionary hit = find_hit({ p_place.x(), std::min(GROUND_SEARCH, _ground.high), p_place.y() },
+			{ p_place.x(), std::max(-GROUND_SEARCH, _ground.low), p_place.y() });
+	return hit.is_empty() ? std::nullopt : std::optional<Hit>({ hit["rid"], hit["shape"] });
 }
 
 double GroundRays::height_at(const Eigen::Vector2d &p_place, double p_low, double p_high) {
@@ -80,6 +93,15 @@ double GroundRays::height_at(const Eigen::Vector2d &p_place, double p_low, doubl
 	}
 	const auto hit = cast({ p_place.x(), high, p_place.y() }, { p_place.x(), low, p_place.y() });
 	return hit ? hit->y() : std::numeric_limits<double>::quiet_NaN();
+}
+
+double GroundRays::height_at_corner(const Eigen::Vector2d &p_place, double p_low, double p_high) {
+	constexpr double BESIDE = 0.002; // metres
+	double height = height_at(p_place, p_low, p_high);
+	for (int n = 0; n < 4 && std::isnan(height); n++) {
+		height = height_at(p_place + BESIDE * Eigen::Vector2d(n % 2 * 2 - 1, n / 2 * 2 - 1), p_low, p_high);
+	}
+	return height;
 }
 
 } // namespace grass

@@ -10,6 +10,7 @@
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_ray_query_parameters3d.hpp>
 #include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -33,10 +34,19 @@ public:
 	bool is_usable() const { return _space != nullptr; }
 	// Returns where the ray first hits a body that does not move about; field space, metres.
 	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
+	// The shape of the highest ground at a place.
+	struct Hit {
+		godot::RID body;
+		int64_t shape; // number in the body
+	};
+	std::optional<Hit> hit_at(const Eigen::Vector2d &p_place);
 	// Returns the height of the highest ground at a place between two heights, in metres above the field; NaN if there is none.
 	double height_at(const Eigen::Vector2d &p_place, double p_low = -GROUND_SEARCH, double p_high = GROUND_SEARCH);
+	// The same at a corner of the ground, which a ray may pass where the ground ends.
+	double height_at_corner(const Eigen::Vector2d &p_place, double p_low = -GROUND_SEARCH, double p_high = GROUND_SEARCH);
 
 private:
+	godot::Dictionary find_hit(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
 	bool is_ground(const godot::Object *p_body) const;
 	bool is_in_group(const godot::Node *p_node) const;
 

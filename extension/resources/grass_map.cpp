@@ -70,10 +70,14 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region)
 	}
 }
 
-void GrassMap::tell(const BrushResult &p_result) {
+void GrassMap::tell(const BrushResult &p_result, bool p_has_new_grid) {
 	if (p_result.out_of_room) {
 		WARN_PRINT(vformat("%s: part of the painting is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
 				label(), int64_t(PaintMap::MAX_CHUNKS)));
+	}
+	if (p_has_new_grid) {
+		tell(copy().get_keys(), true);
+		return;
 	}
 	const Eigen::Vector2d size = p_result.max - p_result.min;
 	tell(p_result.changed, Rect2(to_godot(p_result.min), to_godot(size)));
@@ -204,7 +208,8 @@ bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 
 void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 	const std::vector<MapKey> changed = _map.compare(p_before);
-	const bool has_base_changed = _map.get_base_density() != p_before.get_base_density();
+	const bool has_base_changed =
+			_map.get_base_density() != p_before.get_base_density() || !(_map.get_ground_grid() == p_before.get_ground_grid());
 	if (!changed.empty() || has_base_changed) {
 		_replacements++;
 		tell(changed, has_base_changed);

@@ -118,8 +118,9 @@ public:
 	// Runs p_change on the map, and notifies listeners. p_change returns a BrushResult, or a type derived from it.
 	template <typename F> auto change(F &&p_change) {
 		decltype(p_change(_map)) result;
+		const GroundGrid before = _map.get_ground_grid();
 		if (write([&] { result = p_change(_map); })) {
-			tell(result);
+			tell(result, !(_map.get_ground_grid() == before));
 		}
 		return result;
 	}
@@ -148,7 +149,7 @@ private:
 	PictureProblem find_rect(Channel p_channel, const godot::Rect2 &p_region, TexelRect &r_rect) const;
 	PictureProblem make_picture(Channel p_channel, const godot::Rect2 &p_region, bool p_is_float, godot::Ref<godot::Image> &r_image) const;
 	void _report_unread(const godot::String &p_reason);
-	void tell(const BrushResult &p_result);
+	void tell(const BrushResult &p_result, bool p_has_new_grid); // of its ground, which shows everywhere
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
 	void tell(const std::vector<MapKey> &p_changed, bool p_has_base_changed); // for whole chunks, or for everywhere
 	void tell_of_replacing(const PaintMap &p_before);

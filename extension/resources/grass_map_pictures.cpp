@@ -162,7 +162,7 @@ PictureProblem GrassMap::lay_picture(Channel p_channel, const Ref<Image> &p_imag
 		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label(),
 				int64_t(laid.clamped), info.name, info.value(info.lowest), info.value(info.highest)));
 	}
-	tell(laid);
+	tell(laid, false);
 	return {};
 }
 

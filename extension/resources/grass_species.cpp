@@ -56,6 +56,7 @@ void GrassSpecies::set_plant_mesh(const Ref<Mesh> &p_mesh) {
 	GRASS_CHANGE_GUARD(label());
 	if (watch_instead(_plant_mesh, p_mesh, callable_mp(this, &GrassSpecies::_part_changed))) {
 		_plant.reset();
+		_impostor.reset();
 		emit_changed();
 	}
 }
@@ -83,6 +84,13 @@ std::shared_ptr<const PlantModel> GrassSpecies::find_plant() const {
 		}
 	}
 	return _plant ? _plant->model : nullptr;
+}
+
+std::shared_ptr<const PlantImpostor> GrassSpecies::find_impostor() const {
+	if (const std::shared_ptr<const PlantModel> model = find_plant(); model && !_impostor) {
+		_impostor = make_impostor(*model);
+	}
+	return _impostor;
 }
 
 String GrassSpecies::get_plant_problem() const {

@@ -2,6 +2,7 @@
 // GrassSpecies: one kind of plants in the mix of a GrassField. Properties only.
 #pragma once
 
+#include "draw/plant_impostor.h"
 #include "draw/plant_model.h"
 #include "draw/species_look.h"
 #include "resources/grass_patch.h"
@@ -65,6 +66,8 @@ public:
 	int get_stems() const; // number of blades that share a root: a power of two
 	// Returns the mesh in the form for drawing, or null.
 	std::shared_ptr<const PlantModel> find_plant() const;
+	// Returns what stands for the mesh at some distance, or null. It is made at first use.
+	std::shared_ptr<const PlantImpostor> find_impostor() const;
 	godot::String get_plant_problem() const; // why it cannot be drawn although a mesh is set; empty: it can
 	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
 	double get_plant_scene_distance() const { return param(SPECIES_PARAM_PLANT_SCENE_DISTANCE); } // metres
@@ -90,6 +93,7 @@ private:
 	godot::Ref<godot::Mesh> _plant_mesh;
 	godot::Ref<godot::PackedScene> _plant_scene;
 	mutable std::optional<PlantReading> _plant; // of _plant_mesh, read on first use
+	mutable std::shared_ptr<const PlantImpostor> _impostor; // of _plant, likewise
 	std::array<double, SPECIES_PARAM_COUNT> _params = initial_of(SPECIES_PARAMS);
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

@@ -12,13 +12,14 @@
 #include "lod/levels.inc"
 #include "lod/lod.inc"
 #include "species/constants.inc"
+#include "species/stages.inc"
 #include "species/species.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
 layout(push_constant) uniform Phase {
-	ivec4 phase; // x: GRASS_PLANTS_*; y: the species; z: plants that the MultiMesh holds; w: surfaces of its mesh
-	vec4 box; // xy: tiles around a camera along x, z; z: distance from which on plants are blades, metres; w unused
+	ivec4 phase; // x: GRASS_PLANTS_*; y: the species + GRASS_MAX_SPECIES * GRASS_PLANT_MESH or GRASS_PLANT_IMPOSTOR; z: plants that the MultiMesh holds; w: surfaces of its mesh
+	vec4 box; // xy: tiles around a camera along x, z; z: up to which distance plants are drawn so, metres; w: from which on
 	vec4 map; // xy: map_origin; z: metres, length of a mean plant; w: area that one shows to an eye beside it, divided by a tile's
 };
 
@@ -47,9 +48,9 @@ layout(set = 0, binding = GRASS_PLANTS_MIX, std430) readonly buffer MixBuffer {
 	int species_count;
 	int species_texel;
 };
-// Plants chosen, by species. Cleared before the first phase.
+// Plants chosen, by phase.y. Cleared before the first phase.
 layout(set = 0, binding = GRASS_PLANTS_COUNTS, std430) buffer CountBuffer {
-	uint chosen[GRASS_MAX_SPECIES];
+	uint chosen[GRASS_MAX_SPECIES * GRASS_PLANT_STAGES];
 };
 // The MultiMesh's own buffers.
 layout(set = 0, binding = GRASS_PLANTS_INSTANCES, std430) writeonly buffer InstanceBuffer {
@@ -104,7 +105,8 @@ bool is_wanted(vec3 p_middle, vec3 p_half) {
 bool is_near(vec3 p_root, float p_low, float p_high) {
 	for (uint i = 0u; i < view.counts.x; i++) {
 		vec3 eye = cameras[i].eye.xyz;
-		if (distance(eye, vec3(p_root.x, clamp(eye.y, p_low, p_high), p_root.z)) < box.z) {
+		float away = distance(eye, vec3(p_root.x, clamp(eye.y, p_low, p_high), p_root.z));
+		if (away >= box.w && away < box.z) {
 			return true;
 		}
 	}
@@ -178,12 +180,13 @@ void choose() {
 		plants_of_tile = 0u;
 	}
 	barrier();
-	if (species == phase.y) {
+	int wanted = phase.y % GRASS_MAX_SPECIES;
+	if (species == wanted) {
 		atomicAdd(plants_of_tile, 1u);
 	}
 	barrier();
 	float share = share_of(float(plants_of_tile), cover, middle);
-	float presence = species == phase.y ? grass_lod_plant(int(blade), species_stems[species], share, hash) : 0.0;
+	float presence = species == wanted ? grass_lod_plant(int(blade), species_stems[species], share, hash) : 0.0;
 	if (presence <= 0.0) {
 		return;
 	}

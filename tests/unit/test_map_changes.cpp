@@ -135,7 +135,7 @@ TEST_CASE("map_changes: a full map, and a chunk out of reach") {
 	after.set_code(MAP_CUT, 0, 3, 3, 7);
 	MapBytes bytes = write_changes(before, after, RUNS);
 	const int32_t far = PaintMap::REACH;
-	std::memcpy(&bytes[24], &far, 4);
+	std::memcpy(&bytes[32], &far, 4);
 	mend_checksum(bytes);
 	check_refused(bytes, before);
 	CHECK(apply_changes(bytes, RUNS, before).reason.find("is out of reach") != std::string::npos);

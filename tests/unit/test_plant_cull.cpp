@@ -81,6 +81,28 @@ TEST_CASE("plant_cull: plants within their species' distance of a camera, each o
 	}
 }
 
+TEST_CASE("plant_cull: farther plants are chosen for their species' impostor, and where one becomes the other for both") {
+	Garden garden;
+	PlantCull::Kinds kinds = KINDS;
+	kinds[size_t(NEAR + GRASS_MAX_SPECIES)] = { 9.0f, 0.5f, 0.0f, 1, 3.0f };
+	FieldView view;
+	view.cameras = { make_camera({ 0.2f, 1.0f, 0.3f }) };
+	garden.cull.choose(
+			make_field(), view, nullptr, [](int) { return GRASS_NO_SLOT; }, garden.plants_of, kinds);
+	int expected = 0, both = 0;
+	for (int z = 0; z < 40; z++) {
+		for (int x = 0; x < 40; x++) {
+			const float away = (make_field().grid.get_centre(x, z).cast<float>() - view.cameras[0].eye).norm();
+			expected += away >= 3.0f && away < 9.0f;
+			both += away >= 3.0f && away < 4.0f;
+		}
+	}
+	CHECK(both > 5);
+	CHECK(garden.cull.get_count(NEAR + GRASS_MAX_SPECIES) == expected);
+	CHECK(garden.cull.get_count(FAR + GRASS_MAX_SPECIES) == 0); // it has none
+	CHECK(garden.cull.get_count(NEAR) < expected);
+}
+
 TEST_CASE("plant_cull: tiles are asked once, until they are forgotten") {
 	Garden garden;
 	const std::vector<ViewCamera> cameras = { make_camera({ 0.0f, 1.0f, 0.0f }) };

@@ -30,7 +30,8 @@ struct BackendStatistics {
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
 	std::array<int64_t, 2> left_out_tiles{}; // that did not fit in the MultiMeshes of picture and shadows
-	int64_t drawn_plants = 0, left_out_plants = 0; // in the newest frame known: drawn by a mesh; left out for lack of room
+	// In the newest frame known: drawn by a mesh; by its impostor; left out for lack of room.
+	int64_t drawn_plants = 0, drawn_impostors = 0, left_out_plants = 0;
 	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, counted in each read
 	int64_t knot_waits = 0; // GPU: times that the main thread waited for knots
 	int64_t knots_age = 0; // GPU, now: steps by which the known knots are late; 0 if nothing queries them

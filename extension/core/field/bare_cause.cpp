@@ -38,8 +38,7 @@ BareCause density_cause(const PaintMap &p_map, const FillRule *p_rule, const Fil
 BareCause find_bare_cause(
 		const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at, double p_height) {
 	BareCause least;
-	const auto hole_at = [&](double p_place) { return int(std::floor(p_place / info_of(MAP_HOLE).texel_size())); };
-	if (p_map.get_code(MAP_HOLE, 0, hole_at(p_at.x()), hole_at(p_at.y())) != 0) {
+	if (p_map.sample(MAP_HOLE, 0, p_at) != 0.0) {
 		return { BareKind::HOLE, 0.0, 0.0, {} };
 	}
 	if (p_map.sample(MAP_LEDGE, 0, p_at) == 0.0) {

@@ -35,11 +35,12 @@ bool TerrainIds::set(int p_i, int p_j, const TerrainTexel &p_texel) {
 }
 
 const TerrainTexel *TerrainIds::find(const Eigen::Vector2d &p_place) const {
-	const auto found = _chunks.find(key_at(p_place));
+	const Eigen::Vector2d place = p_place - _offset;
+	const auto found = _chunks.find(key_at(place));
 	if (found == _chunks.end()) {
 		return nullptr;
 	}
-	const Eigen::Array2i texel = (p_place.array() / info_of(MAP_GROUND).texel_size()).floor().cast<int>();
+	const Eigen::Array2i texel = (place.array() / info_of(MAP_GROUND).texel_size()).floor().cast<int>();
 	const size_t index = id_index(texel.x(), texel.y());
 	return found->second.is_known[index] ? &found->second.texels[index] : nullptr;
 }

@@ -20,6 +20,8 @@ class TerrainIds {
 public:
 	static constexpr int SIDE = info_of(MAP_GROUND).side; // texels along a chunk, as for its ground
 
+	// Says where its texels were read: as the ground's heights.
+	void set_grid(const GroundGrid &p_grid) { _offset = p_grid.offset(); }
 	// Sets texel i, j in the map's numbering of ground texels. Returns true if it changed.
 	bool set(int p_i, int p_j, const TerrainTexel &p_texel);
 	// Returns the texel at a place (x, z in metres); null where nothing has been read. Valid until the next set().
@@ -32,6 +34,7 @@ private:
 		std::vector<bool> is_known = std::vector<bool>(size_t(SIDE) * size_t(SIDE));
 	};
 	std::map<MapKey, Chunk> _chunks;
+	Eigen::Vector2d _offset = Eigen::Vector2d::Zero(); // metres from the centre of a texel
 };
 
 } // namespace grass

@@ -17,9 +17,10 @@ double distance_to_region(const MapRegion &p_region, const Eigen::Vector2d &p_pl
 
 } // namespace
 
-TerrainPiece::TerrainPiece(const MapRegion &p_region) : _region(p_region) {
-	const Eigen::Array2i first = (p_region.min.array() / TEXEL - 0.5).ceil().cast<int>(),
-						 last = (p_region.max.array() / TEXEL - 0.5).floor().cast<int>();
+TerrainPiece::TerrainPiece(const MapRegion &p_region, const GroundGrid &p_grid) : _region(p_region), _grid(p_grid) {
+	const Eigen::Array2d offset = p_grid.offset();
+	const Eigen::Array2i first = ((p_region.min.array() - offset) / TEXEL - 0.5).ceil().cast<int>(),
+						 last = ((p_region.max.array() - offset) / TEXEL - 0.5).ceil().cast<int>() - 1;
 	_first = first - 1;
 	const bool is_empty = (last < first).any();
 	_size = is_empty ? Eigen::Array2i(0, 0) : Eigen::Array2i(last - first + 3);
@@ -29,7 +30,7 @@ std::vector<Eigen::Vector2d> TerrainPiece::get_row() const {
 	std::vector<Eigen::Vector2d> row;
 	const int j = _first.y() + int(_samples.size()) / std::max(_size.x(), 1);
 	for (int i = _first.x(); i < _first.x() + _size.x(); i++) {
-		row.emplace_back((i + 0.5) * TEXEL, (j + 0.5) * TEXEL);
+		row.push_back(Eigen::Vector2d((i + 0.5) * TEXEL, (j + 0.5) * TEXEL) + _grid.offset());
 	}
 	return row;
 }
@@ -39,7 +40,7 @@ void TerrainPiece::put_row(std::span<const TerrainSample> p_samples) {
 }
 
 const TerrainSample &TerrainPiece::at(const Eigen::Vector2d &p_place) const {
-	const Eigen::Array2i texel = (p_place.array() / TEXEL).floor().cast<int>() - _first;
+	const Eigen::Array2i texel = ((p_place - _grid.offset()).array() / TEXEL).floor().cast<int>() - _first;
 	return _samples[size_t(texel.y()) * size_t(_size.x()) + size_t(texel.x())];
 }
 
@@ -51,6 +52,7 @@ LaidGround TerrainPiece::lay(PaintMap &r_map, double p_ledge_slope) const {
 
 bool TerrainPiece::put_textures(TerrainIds &r_ids) const {
 	bool differs = false;
+	r_ids.set_grid(_grid);
 	for (int j = 1; j < _size.y() - 1; j++) {
 		for (int i = 1; i < _size.x() - 1; i++) {
 			const TerrainTexel &texture = _samples[size_t(j) * size_t(_size.x()) + size_t(i)].texture;

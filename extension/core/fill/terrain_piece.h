@@ -21,11 +21,12 @@ struct TerrainSample {
 
 class TerrainPiece {
 public:
-	// Reads the texels whose centres are in p_region. The texels around it are queried too, since slopes need them.
-	explicit TerrainPiece(const MapRegion &p_region);
+	// Reads the texels whose heights are in p_region, its far borders excepted, for a map with p_grid. The texels around it are queried
+	// too, since slopes need them.
+	explicit TerrainPiece(const MapRegion &p_region, const GroundGrid &p_grid = GroundGrid());
 
 	bool is_complete() const { return _samples.size() >= size_t(_size.x()) * size_t(_size.y()); }
-	// Returns the centres of the next row's texels: x, z in metres.
+	// Returns where the heights of the next row's texels are: x, z in metres.
 	std::vector<Eigen::Vector2d> get_row() const;
 	void put_row(std::span<const TerrainSample> p_samples); // as many as get_row() has
 
@@ -35,11 +36,13 @@ public:
 	bool put_textures(TerrainIds &r_ids) const;
 	void put_colors(TerrainColors &r_colors) const;
 	const MapRegion &get_region() const { return _region; }
+	const GroundGrid &get_grid() const { return _grid; }
 
 private:
 	const TerrainSample &at(const Eigen::Vector2d &p_place) const;
 
 	MapRegion _region;
+	GroundGrid _grid;
 	Eigen::Array2i _first, _size; // texels to query
 	std::vector<TerrainSample> _samples;
 };

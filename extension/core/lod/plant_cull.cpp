@@ -20,10 +20,11 @@ bool is_wanted(const FieldView &p_view, const Eigen::Vector3f &p_middle, const E
 	});
 }
 
-bool is_near(const FieldView &p_view, const Eigen::Vector3f &p_root, const TileCover::Tile &p_ground, float p_distance) {
+bool is_near(const FieldView &p_view, const Eigen::Vector3f &p_root, const TileCover::Tile &p_ground, const PlantKind &p_kind) {
 	return std::ranges::any_of(p_view.cameras, [&](const ViewCamera &p_camera) {
 		const float height = std::clamp(p_camera.eye.y(), p_ground.low, p_ground.high);
-		return (p_camera.eye - Eigen::Vector3f(p_root.x(), height, p_root.z())).norm() < p_distance;
+		const float away = (p_camera.eye - Eigen::Vector3f(p_root.x(), height, p_root.z())).norm();
+		return away >= p_kind.nearest && away < p_kind.distance;
 	});
 }
 
@@ -107,10 +108,9 @@ void PlantCull::choose(const CullField &p_field, const FieldView &p_view, const 
 			const float hash = grass_tile_hash(column, row, p_field.seed);
 			for (const StandingPlant &plant : plants) {
 				const Eigen::Vector2f aside = (plant.root - Eigen::Vector2f(0.5f, 0.5f)) * float(p_field.grid.get_tile_size());
-				const PlantKind &kind = p_kinds[plant.species];
-				const float presence = grass_lod_plant(plant.blade, kind.stems, shares[plant.species], hash);
-				if (presence <= 0.0f || kind.distance <= 0.0f ||
-						!is_near(p_view, centre + Eigen::Vector3f(aside.x(), 0.0f, aside.y()), ground, kind.distance)) {
+				const Eigen::Vector3f root = centre + Eigen::Vector3f(aside.x(), 0.0f, aside.y());
+				const float presence = grass_lod_plant(plant.blade, p_kinds[plant.species].stems, shares[plant.species], hash);
+				if (presence <= 0.0f) {
 					continue;
 				}
 				const uint32_t start = grass_tile_start(column, row, p_field.seed) / GRASS_START_STRIDE;
@@ -120,8 +120,12 @@ void PlantCull::choose(const CullField &p_field, const FieldView &p_view, const 
 					0.0f, 0.0f, 1.0f, 0.0f, //
 					float(x), float(z), float(plant.blade), presence, //
 					float(start), float(slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF), hash, float(high) };
-				std::vector<float> &instances = _instances[plant.species];
-				instances.insert(instances.end(), std::begin(values), std::end(values));
+				for (int stage = 0; stage < GRASS_PLANT_STAGES; stage++) {
+					const size_t number = size_t(plant.species + stage * GRASS_MAX_SPECIES);
+					if (p_kinds[number].distance > 0.0f && is_near(p_view, root, ground, p_kinds[number])) {
+						_instances[number].insert(_instances[number].end(), std::begin(values), std::end(values));
+					}
+				}
 			}
 		}
 	}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/blades/clump.h"
+#include "core/map/ground_grid.h"
 #include "core/map/map_channels.h"
 
 namespace grass {
@@ -17,6 +18,9 @@ using Growth = glsl::GrassGrowth;
 static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GRASS_UNCUT));
 static_assert(info_of(MAP_LEDGE).side == GRASS_LEDGE_TEXELS && info_of(MAP_LEDGE).initial[0] == GRASS_LEDGE_NONE);
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
+
+static_assert(int(GroundSplit::BLENDED) == GRASS_GROUND_BLENDED && int(GroundSplit::ACROSS) == GRASS_GROUND_ACROSS);
+static_assert(int(GroundSplit::BESIDE) == GRASS_GROUND_BESIDE);
 
 // How far blades follow the ground's slope. 0: they grow upright, like grass; 1: at a right angle to the ground, like hair.
 inline constexpr Tunable FOLLOW_SLOPE{ "follow_slope", "", 0.0, 1.0, 0.01, 0.25 };

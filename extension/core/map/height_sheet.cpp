@@ -11,14 +11,14 @@ namespace {
 
 constexpr double SHEET_TEXEL = info_of(MAP_GROUND).texel_size();
 constexpr double MAP_REACH = PaintMap::REACH * MAP_CHUNK_SIZE;
-constexpr double EDGE = 1e-9; // share of a triangle, so that no gap opens between neighbours
+constexpr double EDGE = 1e-3; // metres beyond its edges, so that no gap opens between neighbours and corners belong to it
 
 } // namespace
 
-HeightSheet::HeightSheet(const MapRegion &p_region) {
+HeightSheet::HeightSheet(const MapRegion &p_region, const GroundGrid &p_grid) {
 	const Eigen::Array2d low = ((p_region.min.array().max(-MAP_REACH) - SHEET_TEXEL) / SHEET_TEXEL - 0.5).floor();
 	const Eigen::Array2d high = ((p_region.max.array().min(MAP_REACH) + SHEET_TEXEL) / SHEET_TEXEL - 0.5).ceil();
-	_first = (low + 0.5) * SHEET_TEXEL;
+	_first = (low + 0.5) * SHEET_TEXEL + p_grid.offset().array();
 	if (low.allFinite() && high.allFinite() && (low <= high).all()) {
 		_width = int(high.x() - low.x()) + 1;
 		_depth = int(high.y() - low.y()) + 1;
@@ -37,7 +37,8 @@ double HeightSheet::Triangle::at(const Eigen::Array2d &p_texel) const {
 	};
 	const double area = turn(a, b, c);
 	const double share_a = turn(b, c, p_texel) / area, share_b = turn(c, a, p_texel) / area, share_c = 1.0 - share_a - share_b;
-	const bool is_inside = std::min({ share_a, share_b, share_c }) >= -EDGE;
+	const double slack = EDGE / SHEET_TEXEL / std::sqrt(std::abs(area));
+	const bool is_inside = std::min({ share_a, share_b, share_c }) >= -slack;
 	return is_inside ? share_a * heights.x() + share_b * heights.y() + share_c * heights.z() : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -10,14 +10,14 @@ namespace grass {
 
 class HeightSheet {
 public:
-	// Makes a sheet for lay_ground() over p_region.
-	explicit HeightSheet(const MapRegion &p_region);
+	// Makes a sheet for lay_ground() over p_region, into a map with this grid.
+	explicit HeightSheet(const MapRegion &p_region, const GroundGrid &p_grid = GroundGrid());
 
 	// Adds a triangle with its corners in field space, metres. Where triangles overlap, the highest counts. Triangles that are vertical or
 	// not finite add nothing.
 	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
 
-	// Returns the height at the centre of the texel that contains p_place, in metres above the field; NaN where there is no triangle, and
+	// Returns the height of the texel whose height lies nearest to p_place, in metres above the field; NaN where there is no triangle, and
 	// outside the region.
 	double at(const Eigen::Vector2d &p_place) const;
 	// Returns the height at p_place itself.

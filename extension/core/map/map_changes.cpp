@@ -11,7 +11,7 @@ namespace grass {
 namespace {
 
 constexpr char CHANGE_MAGIC[] = "GRASSDIF";
-constexpr size_t CHANGE_MAGIC_BYTES = 8, CHANGE_HEADER_BYTES = 24, CHANGE_ENTRY_BYTES = 24, CHANGE_CHECKSUM_BYTES = 4;
+constexpr size_t CHANGE_MAGIC_BYTES = 8, CHANGE_HEADER_BYTES = 32, CHANGE_ENTRY_BYTES = 24, CHANGE_CHECKSUM_BYTES = 4;
 constexpr size_t MOST_CHANGES = PaintMap::MAX_CHUNKS * MAP_CHANNELS;
 
 struct Change {
@@ -26,6 +26,7 @@ struct Change {
 struct ChangeTable {
 	std::string reason;
 	uint32_t base_before = 0, base_after = 0;
+	GroundGrid grid_before, grid_after;
 	std::vector<Change> list;
 };
 
@@ -74,7 +75,9 @@ ChangeTable read_table(std::span<const uint8_t> p_bytes) {
 	changes.base_before = get_u32(p_bytes, 12);
 	changes.base_after = get_u32(p_bytes, 16);
 	const size_t count = get_u32(p_bytes, 20);
-	if (changes.base_before > 255 || changes.base_after > 255 || count > MOST_CHANGES ||
+	const bool has_grids =
+			unpack_ground_grid(get_u32(p_bytes, 24), changes.grid_before) && unpack_ground_grid(get_u32(p_bytes, 28), changes.grid_after);
+	if (!has_grids || changes.base_before > 255 || changes.base_after > 255 || count > MOST_CHANGES ||
 			CHANGE_HEADER_BYTES + count * CHANGE_ENTRY_BYTES > end) {
 		return refuse("are damaged: their header makes no sense");
 	}
@@ -182,11 +185,12 @@ MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const 
 		}
 	}
 	const uint32_t base_before = uint32_t(p_before.initial_code(MAP_DENSITY, 0)), base = uint32_t(p_after.initial_code(MAP_DENSITY, 0));
-	if (count == 0 && base_before == base) {
+	const GroundGrid &grid_before = p_before.get_ground_grid(), &grid = p_after.get_ground_grid();
+	if (count == 0 && base_before == base && grid_before == grid) {
 		return {};
 	}
 	MapBytes bytes(CHANGE_MAGIC, CHANGE_MAGIC + CHANGE_MAGIC_BYTES);
-	for (const uint32_t value : { MAP_CHANGES_VERSION, base_before, base, count }) {
+	for (const uint32_t value : { MAP_CHANGES_VERSION, base_before, base, count, pack_ground_grid(grid_before), pack_ground_grid(grid) }) {
 		put_u32(bytes, value);
 	}
 	bytes.insert(bytes.end(), table.begin(), table.end());
@@ -203,12 +207,17 @@ AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p
 	if (applied.reason.empty() && base != changes.base_before && base != changes.base_after) {
 		applied.reason = "begin with another base density. Copy the whole `data` of the sender";
 	}
+	const GroundGrid grid = r_map.get_ground_grid();
+	if (applied.reason.empty() && !(grid == changes.grid_before) && !(grid == changes.grid_after)) {
+		applied.reason = "begin with ground whose heights lie elsewhere. Copy the whole `data` of the sender";
+	}
 	if (!applied.reason.empty()) {
 		return applied;
 	}
 	PaintMap map = r_map;
+	map.set_ground_grid(changes.grid_after);
 	map.set_base_density(info_of(MAP_DENSITY).value(int32_t(changes.base_after)));
-	applied.has_base_changed = base != changes.base_after;
+	applied.has_base_changed = base != changes.base_after || !(grid == changes.grid_after);
 	for (const Change &change : changes.list) {
 		bool has_changed = false;
 		applied.reason = apply(change, r_map, p_codec, map, has_changed);

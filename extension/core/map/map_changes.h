@@ -6,7 +6,9 @@
 //  12  u32      code of the base density before
 //  16  u32      after
 //  20  u32      changes, n
-//  24  n times  i32 x, i32 z, u32 channel, u32 checksum of its texels before, u32 after, u32 bytes: 24 bytes, rising by chunk and channel
+//  24  u32      the ground's grid before, as in a map's file
+//  28  u32      after
+//  32  n times  i32 x, i32 z, u32 channel, u32 checksum of its texels before, u32 after, u32 bytes: 24 bytes, rising by chunk and channel
 //      n times  the bytes: texels before ^ after, packed by the codec
 //      u32      checksum of all above
 //
@@ -20,7 +22,7 @@
 
 namespace grass {
 
-inline constexpr uint32_t MAP_CHANGES_VERSION = 1;
+inline constexpr uint32_t MAP_CHANGES_VERSION = 2;
 
 // Returns the changes; no bytes if the maps are the same.
 MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const MapCodec &p_codec);

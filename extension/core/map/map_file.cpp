@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "texels are stored and
 namespace {
 
 constexpr char MAGIC[] = "GRASSMAP";
-constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 20, ENTRY_BYTES = 20, CHECKSUM_BYTES = 4;
+constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 20, GRID_BYTES = 4, ENTRY_BYTES = 20, CHECKSUM_BYTES = 4;
 constexpr uint32_t ALL_CHANNELS = (1u << MAP_CHANNELS) - 1;
 
 // Converts a channel's texels to their differences from the plane through their neighbours, or (p_back) these to texels. Splits codes of 4
@@ -115,6 +115,7 @@ struct FileChunk {
 
 struct FileTable {
 	uint32_t base = 0;
+	GroundGrid grid;
 	std::vector<FileChunk> chunks;
 };
 
@@ -132,8 +133,11 @@ std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table
 		return "is cut off: " + of_bytes(p_bytes.size(), HEADER_BYTES) + " of its header";
 	}
 	r_table.base = get_u32(p_bytes, 12);
-	const size_t count = get_u32(p_bytes, 16), table_end = HEADER_BYTES + count * ENTRY_BYTES;
-	if (version == 0 || r_table.base > 255 || count > PaintMap::MAX_CHUNKS) {
+	const bool has_grid = version > MAP_FILE_UNGRIDDED && p_bytes.size() >= HEADER_BYTES + GRID_BYTES;
+	const size_t begin = HEADER_BYTES + (version > MAP_FILE_UNGRIDDED ? GRID_BYTES : 0);
+	const size_t count = get_u32(p_bytes, 16), table_end = begin + count * ENTRY_BYTES;
+	if (version == 0 || r_table.base > 255 || count > PaintMap::MAX_CHUNKS ||
+			(has_grid && !unpack_ground_grid(get_u32(p_bytes, HEADER_BYTES), r_table.grid))) {
 		return "is damaged: its header makes no sense";
 	}
 	if (p_bytes.size() < table_end + CHECKSUM_BYTES) {
@@ -144,7 +148,7 @@ std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table
 	}
 	size_t at = table_end + CHECKSUM_BYTES;
 	for (size_t n = 0; n < count; n++) {
-		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES, size = get_u32(p_bytes, entry + 12);
+		const size_t entry = begin + n * ENTRY_BYTES, size = get_u32(p_bytes, entry + 12);
 		const auto packed = at + size <= p_bytes.size() ? p_bytes.subspan(at, size) : std::span<const uint8_t>();
 		r_table.chunks.push_back({ { int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) }, get_u32(p_bytes, entry + 8),
 				get_u32(p_bytes, entry + 16), packed });
@@ -202,9 +206,13 @@ MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec) {
 	PaintMap map = p_map;
 	map.compact();
 	MapBytes bytes(MAGIC, MAGIC + MAGIC_BYTES), payload;
-	put_u32(bytes, MAP_FILE_VERSION);
+	const bool has_grid = !(map.get_ground_grid() == GroundGrid());
+	put_u32(bytes, has_grid ? MAP_FILE_VERSION : MAP_FILE_UNGRIDDED);
 	put_u32(bytes, uint32_t(map.initial_code(MAP_DENSITY, 0)));
 	put_u32(bytes, uint32_t(map.get_chunks().size()));
+	if (has_grid) {
+		put_u32(bytes, pack_ground_grid(map.get_ground_grid()));
+	}
 	for (const auto &[key, chunk] : map.get_chunks()) {
 		const MapBytes packed = pack_chunk(chunk, p_codec);
 		for (const uint32_t value : { uint32_t(key.x), uint32_t(key.z), channels_of(chunk), uint32_t(packed.size()), checksum(packed) }) {
@@ -226,6 +234,7 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 	}
 	PaintMap map;
 	map.set_base_density(info_of(MAP_DENSITY).value(int32_t(table.base)));
+	map.set_ground_grid(table.grid);
 	for (size_t n = 0; n < table.chunks.size(); n++) {
 		const FileChunk &chunk = table.chunks[n];
 		if (checksum(chunk.packed) != chunk.checksum || !unpack_chunk(chunk.packed, chunk.key, chunk.channels, p_codec, map)) {

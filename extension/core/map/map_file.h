@@ -2,10 +2,11 @@
 // A painted map as bytes, and back: all or nothing. All numbers are little-endian.
 //
 //   0  8 bytes  "GRASSMAP"
-//   8  u32      version, MAP_FILE_VERSION
+//   8  u32      version: 2, or MAP_FILE_VERSION if the ground has a grid of its own
 //  12  u32      code of the base density
 //  16  u32      chunks, n
-//  20  n times  i32 x, i32 z, u32 channels (one bit each), u32 bytes, u32 checksum of them: 20 bytes, rising by key
+//      u32      the ground's grid, pack_ground_grid(); not in version 2
+//      n times  i32 x, i32 z, u32 channels (one bit each), u32 bytes, u32 checksum of them: 20 bytes, rising by key
 //      u32      checksum of all above
 //      n times  the chunk's bytes: its channels one after the other, filtered, then packed together by the codec
 //
@@ -22,7 +23,8 @@
 namespace grass {
 
 // Older versions are readable. A change that an older reader cannot read needs a new version: a channel, a code that was out of range.
-inline constexpr uint32_t MAP_FILE_VERSION = 2; // 1: the same, or without MAP_PAINT
+inline constexpr uint32_t MAP_FILE_VERSION = 3; // 1: as 2, or without MAP_PAINT
+inline constexpr uint32_t MAP_FILE_UNGRIDDED = 2; // heights at the centres of texels, blended
 
 using MapBytes = std::vector<uint8_t>;
 

@@ -33,6 +33,7 @@ public:
 	Composer(const PaintMap &p_map, const MapKey &p_key, int32_t p_uncut) :
 			_key(p_key),
 			_uncut(p_uncut),
+			_grid(p_map.get_ground_grid()),
 			_density(p_map, MAP_DENSITY),
 			_height(p_map, MAP_HEIGHT),
 			_cut(p_map, MAP_CUT),
@@ -89,7 +90,8 @@ private:
 	void compose_fine(int p_i, int p_j, uint8_t *r_texel) {
 		const int i = _key.x * GRASS_FINE_TEXELS + p_i - 1, j = _key.z * GRASS_FINE_TEXELS + p_j - 1;
 		const double wear = _wear.value(0, i, j);
-		const bool is_hole = _hole.code(0, i >> 1, j >> 1) != 0;
+		const Eigen::Array2i hole = _grid.texel_below(i, j);
+		const bool is_hole = _hole.code(0, hole.x(), hole.y()) != 0;
 		put(r_texel[0], is_hole ? uint8_t(0) : to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
 		put(r_texel[1], to_byte(height_at(i, j) * (1.0 - GRASS_WEAR_PRESSES * wear)));
 		put(r_texel[2], uint8_t(std::min(_cut.code(0, i, j), _uncut)));
@@ -106,10 +108,15 @@ private:
 		return info_of(MAP_HEIGHT).unit / 16.0 * code;
 	}
 
+	// What a layer has of form and ground lies where the ground's heights do.
 	void compose_coarse(int p_i, int p_j, size_t p_texel, MapLayer &r_layer) {
 		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
+		const Eigen::Vector2d at = Eigen::Vector2d(i + 0.5, j + 0.5) * info_of(MAP_GROUND).texel_size() + _grid.offset();
 		for (int c = 0; c < 4; c++) {
-			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? _lean.code(c, i, j) : _normal.code(c - 2, i, j)));
+			const auto lean = [&] {
+				return _grid.x == 0 && _grid.z == 0 ? _lean.code(c, i, j) : info_of(MAP_LEAN).code(_lean.sample(c, at));
+			};
+			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? lean() : _normal.code(c - 2, i, j)));
 			// Weighted by its strength, so that an invisible colour contributes nothing to its neighbours' blend.
 			const double strength = c < 3 ? _tint.value(3, i, j) : 1.0;
 			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
@@ -120,6 +127,7 @@ private:
 
 	MapKey _key;
 	int32_t _uncut;
+	GroundGrid _grid;
 	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _hole, _tint, _species, _ledge;
 	bool _has_ledges = false, _changed = false;
 };

@@ -13,13 +13,14 @@ struct Corners {
 	std::array<size_t, 4> texels;
 	std::array<float, 4> weights;
 
-	Corners(const Eigen::Array2f &p_texels, int p_side) {
+	Corners(const Eigen::Array2f &p_texels, int p_side, GroundSplit p_split = GroundSplit::BLENDED) {
 		const Eigen::Array2f corner = (p_texels - 0.5f).floor();
 		const Eigen::Array2f t = p_texels - 0.5f - corner;
 		const int i = std::clamp(int(corner.x()), 0, p_side - 2), j = std::clamp(int(corner.y()), 0, p_side - 2);
 		const size_t first = size_t(j * p_side + i);
 		texels = { first, first + 1, first + size_t(p_side), first + size_t(p_side) + 1 };
-		weights = { (1.0f - t.x()) * (1.0f - t.y()), t.x() * (1.0f - t.y()), (1.0f - t.x()) * t.y(), t.x() * t.y() };
+		const glsl::vec4 four = glsl::grass_ground_weights(int(p_split), glsl::vec2(t.x(), t.y()));
+		weights = { four.x, four.y, four.z, four.w };
 	}
 	template <typename T> float blend(const std::vector<T> &p_values, size_t p_components, size_t p_component) const {
 		float sum = 0.0f;
@@ -30,16 +31,19 @@ struct Corners {
 	}
 };
 
-// [Eq M7] Does the same as grass_ledge_at() in shaders/map/map.inc. p_share: position within the chunk, 0..1.
-void look_beside_ledge(const MapLayer &p_layer, const Eigen::Array2f &p_share, Growth &r_growth, glsl::vec2 &r_normal) {
-	const Eigen::Array2i fine = (p_share * float(GRASS_LEDGE_TEXELS)).cast<int>().max(0).min(GRASS_LEDGE_TEXELS - 1);
+// [Eq M7] Does the same as grass_ledge_at() in shaders/map/map.inc. p_in_chunk: metres; p_offset: of the ground grid, metres.
+void look_beside_ledge(
+		const MapLayer &p_layer, const glsl::vec2 &p_in_chunk, const glsl::vec2 &p_offset, Growth &r_growth, glsl::vec2 &r_normal) {
+	constexpr float SPOTS = float(GRASS_LEDGE_TEXELS / GRASS_CHUNK_SIZE); // along a metre
+	const glsl::vec2 place = SPOTS * glsl::grass_ledge_place(p_in_chunk, p_offset);
+	const Eigen::Array2i fine = Eigen::Array2f(place.x, place.y).floor().cast<int>().max(0).min(GRASS_LEDGE_TEXELS - 1);
 	const int code = p_layer.ledge[size_t(fine.y()) * GRASS_LEDGE_TEXELS + size_t(fine.x())];
 	r_growth.ledges = 1.0f;
 	r_growth.density = code == 0 ? 0.0f : r_growth.density;
 	if (code == GRASS_LEDGE_NONE) {
 		return;
 	}
-	const Eigen::Array2f between = p_share * float(GRASS_COARSE_TEXELS) + 0.5f;
+	const Eigen::Array2f between = Eigen::Array2f(p_in_chunk.x - p_offset.x, p_in_chunk.y - p_offset.y) + 0.5f; // texels
 	const Eigen::Array2i first = between.floor().cast<int>().max(0).min(MapLayer::COARSE - 2);
 	const Eigen::Array2f t = between - between.floor();
 	const glsl::vec4 shares = glsl::grass_ledge_weights(code, glsl::vec2(t.x(), t.y()));
@@ -95,7 +99,7 @@ void MapLayers::touch(const MapRegion &p_region) {
 }
 
 void MapLayers::touch(const PaintMap &p_before, const PaintMap &p_now) {
-	if (p_now.get_base_density() != p_before.get_base_density()) {
+	if (p_now.get_base_density() != p_before.get_base_density() || !(p_now.get_ground_grid() == p_before.get_ground_grid())) {
 		touch(get_region());
 	}
 	for (const MapKey &key : p_now.compare(p_before)) {
@@ -177,9 +181,15 @@ int MapLayers::add_layer(const MapKey &p_key) {
 	return layer;
 }
 
+// Takes over what holds for the whole map.
+void MapLayers::follow(const PaintMap &p_map) {
+	_base_density = float(p_map.get_base_density());
+	_ground_grid = p_map.get_ground_grid();
+}
+
 // Updates a chunk's layer in p_region. Returns the layer if it changed, else GRASS_NO_LAYER.
 int MapLayers::lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region) {
-	_base_density = float(p_map.get_base_density());
+	follow(p_map);
 	int layer = find(p_key);
 	const bool is_new = layer == GRASS_NO_LAYER;
 	if (is_new && p_map.find(p_key) == nullptr) {
@@ -204,7 +214,7 @@ int MapLayers::lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegi
 
 void MapLayers::read(const PaintMap &p_map, const MapPlace &p_place, const Eigen::Vector2f &p_at) {
 	begin(p_place);
-	_base_density = float(p_map.get_base_density());
+	follow(p_map);
 	const Eigen::Vector2d at = p_at.cast<double>();
 	const MapKey key = key_at(at);
 	if (!has_chunk(key) || p_map.find(key) == nullptr) {
@@ -239,8 +249,10 @@ Growth MapLayers::sample(const Eigen::Vector2f &p_place) const {
 	}
 	const MapLayer &texels = _layers[size_t(layer)];
 	const Eigen::Array2f share = p_place.array() / float(MAP_CHUNK_SIZE) - chunk;
-	const Corners fine(share * float(GRASS_FINE_TEXELS) + 1.0f, MapLayer::FINE),
-			coarse(share * float(GRASS_COARSE_TEXELS) + 1.0f, MapLayer::COARSE);
+	static_assert(MAP_CHUNK_SIZE == GRASS_COARSE_TEXELS); // a coarse texel is a metre
+	const Eigen::Array2f at_ground = share * float(GRASS_COARSE_TEXELS) + 1.0f - _ground_grid.offset().cast<float>().array();
+	const Corners fine(share * float(GRASS_FINE_TEXELS) + 1.0f, MapLayer::FINE), coarse(at_ground, MapLayer::COARSE),
+			ground(at_ground, MapLayer::COARSE, _ground_grid.split);
 	here.density = fine.blend(texels.growth, 4, 0) / 255.0f;
 	here.height = fine.blend(texels.growth, 4, 1) / 255.0f;
 	here.cut = fine.blend(texels.growth, 4, 2) / 255.0f * float(MAP_UNCUT);
@@ -248,9 +260,10 @@ Growth MapLayers::sample(const Eigen::Vector2f &p_place) const {
 	const auto form = [&](size_t p_component) { return (coarse.blend(texels.form, 4, p_component) - 128.0f) / 127.0f; };
 	here.lean = { form(0), form(1) };
 	glsl::vec2 normal(form(2), form(3));
-	here.ground = coarse.blend(texels.ground, 1, 0);
+	here.ground = ground.blend(texels.ground, 1, 0);
 	if (!texels.ledge.empty()) {
-		look_beside_ledge(texels, share, here, normal);
+		const Eigen::Array2f in_chunk = share * float(MAP_CHUNK_SIZE), offset = _ground_grid.offset().cast<float>();
+		look_beside_ledge(texels, { in_chunk.x(), in_chunk.y() }, { offset.x(), offset.y() }, here, normal);
 	}
 	here.tilt = glsl::grass_ground_tilt(normal, _place.follow);
 	return here;

@@ -64,6 +64,7 @@ public:
 	const MapLayer &get_layer(int p_layer) const { return _layers[size_t(p_layer)]; }
 	bool is_full() const { return _is_full; } // chunks were left out
 	float get_base_density() const { return _base_density; }
+	const GroundGrid &get_ground_grid() const { return _ground_grid; }
 
 	// The chunks under the field: the first one, how many along x and z, and each one's layer or GRASS_NO_LAYER, row by row.
 	MapKey get_first() const { return _first; }
@@ -88,6 +89,7 @@ private:
 	size_t index_of(const MapKey &p_key) const { return size_t(p_key.z - _first.z) * size_t(_width) + size_t(p_key.x - _first.x); }
 	void begin(const MapPlace &p_place);
 	int add_layer(const MapKey &p_key);
+	void follow(const PaintMap &p_map);
 	int lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
 
 	MapPlace _place;
@@ -96,6 +98,7 @@ private:
 	bool _is_full = false;
 	int32_t _uncut = MAP_UNCUT_CODE; // code of cuts that cut nothing
 	float _base_density = 0.0f;
+	GroundGrid _ground_grid;
 	std::vector<float> _pages;
 	std::vector<MapLayer> _layers;
 	std::vector<int> _ledge_layers;

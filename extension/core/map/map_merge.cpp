@@ -16,6 +16,7 @@ public:
 
 	MapMerge run() {
 		merge_base_density();
+		merge_ground_grid();
 		std::set<MapKey> keys;
 		for (const PaintMap *map : { &_base, &_theirs, &_mine }) {
 			for (const auto &[key, chunk] : map->get_chunks()) {
@@ -42,6 +43,14 @@ private:
 		_result.has_base_changed = is_theirs && (mine == base || _prefers_theirs);
 		if (_result.has_base_changed) {
 			_map.set_base_density(theirs);
+		}
+	}
+
+	void merge_ground_grid() {
+		const GroundGrid &base = _base.get_ground_grid(), &theirs = _theirs.get_ground_grid(), &mine = _mine.get_ground_grid();
+		if (!(theirs == base) && !(theirs == mine) && (mine == base || _prefers_theirs)) {
+			_map.set_ground_grid(theirs);
+			_result.has_base_changed = true;
 		}
 	}
 

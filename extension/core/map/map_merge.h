@@ -20,7 +20,8 @@ struct MapMerge {
 	std::string reason; // why they were not merged, as the end of a sentence; "": they were
 	std::vector<MapKey> changed; // chunks, ascending
 	size_t texels = 0; // taken from theirs
-	bool has_base_changed = false, is_base_in_conflict = false; // the density where nothing was painted
+	bool has_base_changed = false; // the density where nothing was painted, or where the heights of the ground lie
+	bool is_base_in_conflict = false; // the density
 	std::vector<MergeConflict> conflicts; // rising by chunk and channel
 };
 

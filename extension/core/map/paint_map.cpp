@@ -28,6 +28,16 @@ size_t index_of(const MapChannelInfo &p_info, const MapKey &p_key, int p_compone
 	return (row * size_t(p_info.side) + column) * size_t(p_info.components) + size_t(p_component);
 }
 
+// Where a channel keeps what is at p_place.
+Eigen::Vector2d place_in(MapChannel p_channel, const GroundGrid &p_grid, const Eigen::Vector2d &p_place) {
+	const Eigen::Vector2d offset = p_grid.offset();
+	if (p_channel == MAP_LEDGE) {
+		const glsl::vec2 moved = glsl::grass_ledge_place(glsl::vec2(0.0f), glsl::vec2(float(offset.x()), float(offset.y())));
+		return p_place + Eigen::Vector2d(moved.x, moved.y);
+	}
+	return p_channel == MAP_GROUND || p_channel == MAP_NORMAL || p_channel == MAP_HOLE ? Eigen::Vector2d(p_place - offset) : p_place;
+}
+
 // Returns whether two channels hold the same codes. A null channel has the initial codes.
 bool same(const std::shared_ptr<const MapTexels> &p_a, const std::shared_ptr<const MapTexels> &p_b) {
 	return p_a == p_b || (p_a && p_b && *p_a == *p_b);
@@ -228,7 +238,8 @@ void MapReader::seek(const MapKey &p_key) {
 }
 
 int MapReader::ledge_code(const Eigen::Vector2d &p_place) {
-	const MapKey key = key_at(p_place);
+	const Eigen::Vector2d place = place_in(MAP_LEDGE, _map.get_ground_grid(), p_place);
+	const MapKey key = key_at(place);
 	if (key != _ledge_key) {
 		const MapChunk *chunk = _map.find(key);
 		_ledge_key = key;
@@ -238,7 +249,7 @@ int MapReader::ledge_code(const Eigen::Vector2d &p_place) {
 		return GRASS_LEDGE_NONE;
 	}
 	constexpr const MapChannelInfo &LEDGE = info_of(MAP_LEDGE);
-	const Eigen::Array2i texel = (p_place.array() / LEDGE.texel_size()).floor().cast<int>();
+	const Eigen::Array2i texel = (place.array() / LEDGE.texel_size()).floor().cast<int>();
 	return _ledges[size_t(texel.y() & (LEDGE.side - 1)) * size_t(LEDGE.side) + size_t(texel.x() & (LEDGE.side - 1))];
 }
 
@@ -262,15 +273,15 @@ double MapReader::sample_beside(int p_component, int p_code, int p_i, int p_j, c
 }
 
 double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
-	const MapKey key = key_at(p_place);
-	if (!PaintMap::is_in_reach(key)) {
+	if (!PaintMap::is_in_reach(key_at(p_place))) {
 		return _info.value(_map.initial_code(_channel, p_component));
 	}
+	const Eigen::Array2d place = place_in(_channel, _map.get_ground_grid(), p_place).array() / _info.texel_size();
 	if (!_info.blends) {
-		const Eigen::Array2d texel = (p_place.array() / _info.texel_size()).floor();
+		const Eigen::Array2d texel = place.floor();
 		return value(p_component, int(texel.x()), int(texel.y()));
 	}
-	const Eigen::Array2d between = p_place.array() / _info.texel_size() - 0.5; // texel centres have integer coordinates
+	const Eigen::Array2d between = place - 0.5; // texel centres have integer coordinates
 	const Eigen::Array2d corner = between.floor(), t = between - corner;
 	const int i = int(corner.x()), j = int(corner.y());
 	if (_channel == MAP_GROUND || _channel == MAP_NORMAL) {
@@ -278,9 +289,20 @@ double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 			return sample_beside(p_component, code, i, j, t);
 		}
 	}
-	const double near_row = value(p_component, i, j) * (1.0 - t.x()) + value(p_component, i + 1, j) * t.x();
-	const double far_row = value(p_component, i, j + 1) * (1.0 - t.x()) + value(p_component, i + 1, j + 1) * t.x();
-	return near_row * (1.0 - t.y()) + far_row * t.y();
+	return sample_between(p_component, i, j, t);
+}
+
+// p_i, p_j, p_t: as above.
+double MapReader::sample_between(int p_component, int p_i, int p_j, const Eigen::Array2d &p_t) {
+	const double first = value(p_component, p_i, p_j), along_x = value(p_component, p_i + 1, p_j),
+				 along_z = value(p_component, p_i, p_j + 1), across = value(p_component, p_i + 1, p_j + 1);
+	const GroundSplit split = _channel == MAP_GROUND ? _map.get_ground_grid().split : GroundSplit::BLENDED;
+	if (split != GroundSplit::BLENDED) {
+		const glsl::vec4 weights = glsl::grass_ground_weights(int(split), glsl::vec2(float(p_t.x()), float(p_t.y())));
+		return first + double(weights.y) * (along_x - first) + double(weights.z) * (along_z - first) + double(weights.w) * (across - first);
+	}
+	const double near_row = first * (1.0 - p_t.x()) + along_x * p_t.x(), far_row = along_z * (1.0 - p_t.x()) + across * p_t.x();
+	return near_row * (1.0 - p_t.y()) + far_row * p_t.y();
 }
 
 } // namespace grass

@@ -4,6 +4,7 @@
 // undo costs one pointer for each channel.
 #pragma once
 
+#include "core/map/ground_grid.h"
 #include "core/map/map_channels.h"
 
 #include <Eigen/Core>
@@ -42,6 +43,9 @@ public:
 	// Sets the density where nothing was painted, 0..1. The default is 0: nothing grows there.
 	void set_base_density(double p_density);
 	double get_base_density() const;
+	// Says where its heights lie; moves none of them (core/paint/move_ground.h does).
+	void set_ground_grid(const GroundGrid &p_grid) { _ground_grid = p_grid; }
+	const GroundGrid &get_ground_grid() const { return _ground_grid; }
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
 	MapTexels initial_texels(MapChannel p_channel) const; // of a chunk
 
@@ -50,13 +54,14 @@ public:
 	const MapChunk *find(const MapKey &p_key) const; // null: the chunk has the initial codes
 	bool uses(MapChannel p_channel) const; // true if any chunk has it
 
-	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z.
+	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z. The ground's four channels (ground,
+	// normal, hole, ledge) are moved from there by the ground grid's offset, a ledge by whole texels of its own.
 	int32_t get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const;
 	// Sets a code, clamped to the channel's limits. Returns false, and changes nothing, outside the map's reach or if the map is full.
 	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
 
 	// Returns the channel's value at a place (metres), interpolated between the centres of the four nearest texels if the channel blends,
-	// but never across a ledge of the ground. Returns the initial value for a place that is not finite or out of reach.
+	// and ground as its grid says, but never across a ledge. Returns the initial value for a place that is not finite or out of reach.
 	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
 
 	// Returns the chunks in which the two differ.
@@ -64,7 +69,10 @@ public:
 	// Frees texels that all have the initial codes again, and chunks without texels.
 	void compact();
 	void drop_empty(); // chunks without texels
-	void clear() { _chunks.clear(); }
+	void clear() {
+		_chunks.clear();
+		_ground_grid = GroundGrid();
+	}
 	bool is_empty() const { return _chunks.empty(); }
 	size_t get_memory_usage() const; // bytes; counts texels that snapshots share in full
 
@@ -76,6 +84,7 @@ private:
 
 	std::map<MapKey, MapChunk> _chunks;
 	int32_t _base_density = info_of(MAP_DENSITY).initial[0];
+	GroundGrid _ground_grid;
 };
 
 inline int32_t read_code(const uint8_t *p_texels, const MapChannelInfo &p_info, size_t p_index) {
@@ -108,6 +117,7 @@ public:
 private:
 	void seek(const MapKey &p_key);
 	int ledge_code(const Eigen::Vector2d &p_place);
+	double sample_between(int p_component, int p_i, int p_j, const Eigen::Array2d &p_t);
 	double sample_beside(int p_component, int p_code, int p_i, int p_j, const Eigen::Array2d &p_t);
 
 	const PaintMap &_map;

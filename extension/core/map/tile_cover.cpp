@@ -38,8 +38,9 @@ void TileCover::widen(const Tile &p_tile) {
 TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region) {
 	const MapRegion region = p_region.grown(MapLayers::CHANGE_MARGIN);
 	const TileRange range = _grid.get_range(region.min.x(), region.max.x(), region.min.y(), region.max.y(), 0.0);
-	const std::vector<Stretch> columns = stretches(range.x_begin, range.x_end, _grid.get_tiles_x()),
-							   rows = stretches(range.z_begin, range.z_end, _grid.get_tiles_z());
+	const Eigen::Vector2d offset = p_layers.get_ground_grid().offset();
+	const std::vector<Stretch> columns = stretches(range.x_begin, range.x_end, _grid.get_tiles_x(), offset.x()),
+							   rows = stretches(range.z_begin, range.z_end, _grid.get_tiles_z(), offset.y());
 	bool has_shrunk = false; // the lowest or highest ground may have disappeared
 	for (int z = range.z_begin; z < range.z_end; z++) {
 		for (int x = range.x_begin; x < range.x_end; x++) {
@@ -60,8 +61,8 @@ TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region
 	return range;
 }
 
-// Returns the stretches of tiles p_begin to p_end - 1 of p_count along one axis.
-std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int p_count) const {
+// Returns the stretches of tiles p_begin to p_end - 1 of p_count along one axis. p_offset: of the ground grid, metres.
+std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int p_count, double p_offset) const {
 	std::vector<Stretch> found;
 	found.reserve(size_t(std::max(p_end - p_begin, 0)));
 	for (int tile = p_begin; tile < p_end; tile++) {
@@ -71,15 +72,15 @@ std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int
 		stretch.chunks = int(std::floor(high / MAP_CHUNK_SIZE)) - stretch.first_chunk + 1;
 		for (int c = 0; c < stretch.chunks; c++) {
 			const double corner = (stretch.first_chunk + c) * MAP_CHUNK_SIZE;
-			const auto texels = [&](int p_side) {
+			const auto texels = [&](int p_side, double p_beside) {
 				const double scale = p_side / MAP_CHUNK_SIZE;
 				const auto texel = [&](double p_place) {
-					return int(std::clamp(std::floor((p_place - corner) * scale + 0.5), 0.0, double(p_side)));
+					return int(std::clamp(std::floor((p_place - p_beside - corner) * scale + 0.5), 0.0, double(p_side)));
 				};
 				return Stretch::Texels{ texel(low), texel(high) + 1 };
 			};
-			stretch.fine[size_t(c)] = texels(GRASS_FINE_TEXELS);
-			stretch.coarse[size_t(c)] = texels(GRASS_COARSE_TEXELS);
+			stretch.fine[size_t(c)] = texels(GRASS_FINE_TEXELS, 0.0);
+			stretch.coarse[size_t(c)] = texels(GRASS_COARSE_TEXELS, p_offset);
 		}
 	}
 	return found;

@@ -55,7 +55,7 @@ private:
 	};
 
 	void widen(const Tile &p_tile);
-	std::vector<Stretch> stretches(int p_begin, int p_end, int p_count) const;
+	std::vector<Stretch> stretches(int p_begin, int p_end, int p_count, double p_offset) const;
 	Tile find(const MapLayers &p_layers, const Stretch &p_column, const Stretch &p_row) const;
 
 	TileGrid _grid;

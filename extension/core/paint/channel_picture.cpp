@@ -179,7 +179,7 @@ private:
 BrushResult follow_heights(PaintMap &r_map, const LaidPicture &p_changed) {
 	const PaintMap map = r_map;
 	const auto height = [&map](const Eigen::Vector2d &p_place) {
-		const Eigen::Array2i texel = (p_place.array() / GROUND_TEXEL).floor().cast<int>();
+		const Eigen::Array2i texel = ((p_place - map.get_ground_grid().offset()).array() / GROUND_TEXEL).floor().cast<int>();
 		return map.get_code(MAP_HOLE, 0, texel.x(), texel.y()) != 0
 				? std::nan("")
 				: info_of(MAP_GROUND).value(map.get_code(MAP_GROUND, 0, texel.x(), texel.y()));

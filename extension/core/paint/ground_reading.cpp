@@ -7,8 +7,9 @@ namespace grass {
 
 GroundReading::GroundReading(const MapRegion &p_region, const GroundRule &p_rule) : _rule(p_rule) {
 	const double reach = PaintMap::REACH * double(info_of(MAP_GROUND).side);
-	const Eigen::Array2d low = (p_region.min.array() / GROUND_TEXEL - 0.5).ceil(),
-						 high = (p_region.max.array() / GROUND_TEXEL - 0.5).floor();
+	const Eigen::Array2d offset = _rule.grid.offset();
+	const Eigen::Array2d low = ((p_region.min.array() - offset) / GROUND_TEXEL - 0.5).ceil(),
+						 high = ((p_region.max.array() - offset) / GROUND_TEXEL - 0.5).floor();
 	if (!low.allFinite() || !high.allFinite() || (low > high).any()) {
 		return;
 	}
@@ -22,7 +23,7 @@ GroundReading::GroundReading(const MapRegion &p_region, const GroundRule &p_rule
 }
 
 bool GroundReading::read(const HeightAt &p_height, const HeightAt &p_between, int64_t p_most) {
-	GroundPlaces places(p_height, p_between, p_most);
+	GroundPlaces places(p_height, p_between, _rule.grid.offset(), p_most);
 	const bool is_done = is_empty() || work(places);
 	_sampled += places.get_read();
 	return is_done;

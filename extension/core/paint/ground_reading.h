@@ -20,6 +20,7 @@ struct GroundRule {
 	MissingGround missing = MissingGround::STAYS;
 	double ledge_slope = LEDGE_SLOPE.initial; // degrees
 	bool is_sheet = false; // between the centres of texels the ground is one sheet
+	GroundGrid grid; // of the map that the ground is for
 };
 
 class GroundReading {
@@ -29,7 +30,7 @@ public:
 	// Places that one call has to grant, so that reading gets on.
 	static constexpr int LEAST_PLACES = LedgeFinder::CELL_PLACES;
 
-	// Every texel whose centre lies in p_region and within the map's reach.
+	// Every texel whose height lies in p_region and within the map's reach.
 	GroundReading(const MapRegion &p_region, const GroundRule &p_rule);
 
 	// Reads on, up to p_most places; true: all is read. p_between: heights anywhere; a sheet needs none.
@@ -45,6 +46,8 @@ public:
 	const HeightBlock &get_heights() const { return *_heights; }
 	const std::vector<LedgeCell> &get_ledges() const { return _finder->get_cells(); }
 	bool has_ledge(int p_i, int p_j) const { return !_ledges.empty() && _ledges.contains({ p_i, p_j }); }
+	// Where a texel's height lies, metres.
+	Eigen::Vector2d place(int p_i, int p_j) const { return HeightBlock::centre(p_i, p_j) + _rule.grid.offset(); }
 	Eigen::Vector3d normal(int p_i, int p_j) const;
 
 private:

@@ -14,7 +14,8 @@ static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size() && GROUND_TEXEL =
 // Writes a texel's channels and records what changed.
 class GroundWriter {
 public:
-	GroundWriter(PaintMap &r_map, LaidGround &r_result) : _map(r_map), _result(r_result), _changed(MAP_GROUND) {}
+	GroundWriter(PaintMap &r_map, LaidGround &r_result) :
+			_map(r_map), _result(r_result), _changed(MAP_GROUND), _moved(LedgeCell::moved_spots(r_map.get_ground_grid())) {}
 
 	void lay(int p_i, int p_j, double p_height, const Eigen::Vector3d &p_normal) {
 		bool differs = write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_height));
@@ -31,7 +32,7 @@ public:
 	}
 	// p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: the cell has no ledge.
 	void lay_ledge(int p_i, int p_j, const uint8_t *p_codes) {
-		const Eigen::Array2i first = LedgeCell::first_spot(p_i, p_j);
+		const Eigen::Array2i first = LedgeCell::first_spot(p_i, p_j) + _moved;
 		bool differs = false;
 		for (int n = 0; n < LedgeCell::SPOTS * LedgeCell::SPOTS; n++) {
 			const int32_t code = p_codes != nullptr ? p_codes[n] : GRASS_LEDGE_NONE;
@@ -60,6 +61,7 @@ private:
 	PaintMap &_map;
 	LaidGround &_result;
 	ChangedTexels _changed;
+	Eigen::Array2i _moved;
 };
 
 // Lays the ground of a block of texels.
@@ -94,7 +96,7 @@ private:
 			}
 			return;
 		}
-		const Eigen::Vector3d given = _normal ? _normal(HeightBlock::centre(p_i, p_j)).normalized() : Eigen::Vector3d::Zero();
+		const Eigen::Vector3d given = _normal ? _normal(_ground.place(p_i, p_j)).normalized() : Eigen::Vector3d::Zero();
 		const bool is_given = given.allFinite() && given.y() > 0.0;
 		_writer.lay(p_i, p_j, height, is_given ? given : _ground.normal(p_i, p_j));
 	}
@@ -103,9 +105,11 @@ private:
 	std::vector<std::pair<int, int>> find_gone() {
 		std::vector<std::pair<int, int>> gone;
 		MapReader codes(_map, MAP_LEDGE);
+		const Eigen::Array2i moved = LedgeCell::moved_spots(_map.get_ground_grid());
 		const auto is_marked = [&](int p_i, int p_j) {
 			for (int n = 0; n < LedgeCell::SPOTS * LedgeCell::SPOTS; n++) {
-				const Eigen::Array2i spot = LedgeCell::first_spot(p_i, p_j) + Eigen::Array2i(n % LedgeCell::SPOTS, n / LedgeCell::SPOTS);
+				const Eigen::Array2i spot =
+						LedgeCell::first_spot(p_i, p_j) + moved + Eigen::Array2i(n % LedgeCell::SPOTS, n / LedgeCell::SPOTS);
 				if (codes.code(0, spot.x(), spot.y()) != GRASS_LEDGE_NONE) {
 					return true;
 				}
@@ -144,6 +148,27 @@ private:
 
 } // namespace
 
+bool is_all_ground_in(const PaintMap &p_map, const MapRegion &p_region) {
+	const MapRegion region = p_region.grown(1e-6);
+	const Eigen::Array2d offset = p_map.get_ground_grid().offset();
+	for (const auto &[key, chunk] : p_map.get_chunks()) {
+		const MapRegion whole = MapRegion::of_chunk(key);
+		const bool is_inside = region.grown(-GROUND_TEXEL).contains(whole.min) && region.grown(-GROUND_TEXEL).contains(whole.max);
+		for (const MapChannel channel : { MAP_GROUND, MAP_HOLE, MAP_LEDGE }) {
+			const MapChannelInfo &info = info_of(channel);
+			const auto &texels = chunk.channels[size_t(channel)];
+			for (int n = 0; texels && !is_inside && n < info.side * info.side; n++) {
+				const Eigen::Array2d texel(key.x * info.side + n % info.side, key.z * info.side + n / info.side);
+				const Eigen::Vector2d place = (texel + 0.5) * info.texel_size() + offset;
+				if (read_code(texels->data(), info, size_t(n)) != info.initial[0] && !region.contains(place)) {
+					return false;
+				}
+			}
+		}
+	}
+	return true;
+}
+
 LaidGround lay_ground(PaintMap &r_map, const GroundReading &p_ground, const NormalAt &p_normal) {
 	LaidGround result;
 	result.sampled = p_ground.get_sampled();
@@ -156,7 +181,7 @@ LaidGround lay_ground(PaintMap &r_map, const GroundReading &p_ground, const Norm
 
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing,
 		const NormalAt &p_normal, const LedgeSearch &p_search) {
-	GroundReading ground(p_region, { p_missing, p_search.slope, !p_search.between });
+	GroundReading ground(p_region, { p_missing, p_search.slope, !p_search.between, r_map.get_ground_grid() });
 	ground.read(p_height, p_search.between);
 	return lay_ground(r_map, ground, p_normal);
 }

@@ -18,8 +18,11 @@ struct LaidGround : BrushResult { // amount: 0
 	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 
-// Writes ground that has been read. Normals follow from the heights where p_normal gives none. A height closes a hole. Where the ground
-// jumps, MAP_LEDGE says which heights count.
+// Returns whether the map has no ground outside of p_region: then ground that is laid there may have a grid of its own.
+bool is_all_ground_in(const PaintMap &p_map, const MapRegion &p_region);
+
+// Writes ground that has been read, for a map with the grid that it was read for. Normals follow from the heights where p_normal gives
+// none. A height closes a hole. Where the ground jumps, MAP_LEDGE says which heights count.
 LaidGround lay_ground(PaintMap &r_map, const GroundReading &p_ground, const NormalAt &p_normal = nullptr);
 
 struct LedgeSearch {

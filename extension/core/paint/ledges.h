@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/tunable.h"
+#include "core/map/ground_grid.h"
 #include "core/paint/height_block.h"
 
 #include <array>
@@ -25,6 +26,10 @@ struct LedgeCell {
 	static constexpr int POINTS = SPOTS + 1;
 	int i = 0, j = 0; // the cell's first texel
 	static Eigen::Array2i first_spot(int p_i, int p_j) { return Eigen::Array2i(p_i, p_j) * SPOTS + SPOTS / 2; } // texel of MAP_LEDGE
+	// How many texels of MAP_LEDGE farther that is where the ground has a grid of its own (grass_ledge_place()).
+	static Eigen::Array2i moved_spots(const GroundGrid &p_grid) {
+		return (p_grid.offset() * SPOTS + Eigen::Vector2d(0.5, 0.5)).array().floor().cast<int>();
+	}
 	std::array<double, size_t(POINTS *POINTS)> heights{}; // at the corners of its spots, row by row along x
 
 	double &at(int p_column, int p_row) { return heights[size_t(p_row * POINTS + p_column)]; }

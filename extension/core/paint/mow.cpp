@@ -48,12 +48,14 @@ public:
 			_height(p_map, MAP_HEIGHT),
 			_wear(p_map, MAP_WEAR),
 			_cut(p_map, MAP_CUT),
-			_hole(p_map, MAP_HOLE) {}
+			_hole(p_map, MAP_HOLE),
+			_ground_grid(p_map.get_ground_grid()) {}
 
 	double density(int p_i, int p_j) {
 		const double wear = _wear.value(0, p_i, p_j);
 		static_assert(CUT_SIDE == 2 * info_of(MAP_HOLE).side);
-		return _hole.code(0, p_i >> 1, p_j >> 1) != 0 ? 0.0 : _density.value(0, p_i, p_j) * (1.0 - wear * wear);
+		const Eigen::Array2i hole = _ground_grid.texel_below(p_i, p_j);
+		return _hole.code(0, hole.x(), hole.y()) != 0 ? 0.0 : _density.value(0, p_i, p_j) * (1.0 - wear * wear);
 	}
 	double uncut(int p_i, int p_j) {
 		const Eigen::Vector2d place = centre_of(p_i, p_j);
@@ -70,6 +72,7 @@ public:
 private:
 	GrassKind _kind;
 	MapReader _density, _height, _wear, _cut, _hole;
+	GroundGrid _ground_grid;
 };
 
 // Writes single codes and records what changed.

@@ -11,6 +11,16 @@
 
 namespace grass {
 
+Eigen::Vector4f texel_of(const PictureSurface &p_surface, const Eigen::Vector2f &p_uv) {
+	if (p_surface.texture.empty()) {
+		return Eigen::Vector4f::Ones();
+	}
+	const auto index = [](float p_at, int p_size) { return std::min(int((p_at - std::floor(p_at)) * float(p_size)), p_size - 1); };
+	const int x = index(p_uv.x(), p_surface.texture_width), y = index(p_uv.y(), p_surface.texture_height);
+	const uint8_t *texel = &p_surface.texture[size_t(4 * (y * p_surface.texture_width + x))];
+	return { from_srgb(texel[0]), from_srgb(texel[1]), from_srgb(texel[2]), float(texel[3]) / 255.0f };
+}
+
 namespace {
 
 constexpr float TURNED = 30.0f, FROM_ABOVE = 15.0f; // degrees: how the plant is seen
@@ -24,17 +34,6 @@ Eigen::Matrix3f view() {
 	return (Eigen::AngleAxisf(FROM_ABOVE * RADIANS, Eigen::Vector3f::UnitX()) *
 			Eigen::AngleAxisf(TURNED * RADIANS, Eigen::Vector3f::UnitY()))
 			.toRotationMatrix();
-}
-
-// Linear; w: alpha.
-Eigen::Vector4f texel_at(const PictureSurface &p_surface, const Eigen::Vector2f &p_uv) {
-	if (p_surface.texture.empty()) {
-		return Eigen::Vector4f::Ones();
-	}
-	const auto index = [](float p_at, int p_size) { return std::min(int((p_at - std::floor(p_at)) * float(p_size)), p_size - 1); };
-	const int x = index(p_uv.x(), p_surface.texture_width), y = index(p_uv.y(), p_surface.texture_height);
-	const uint8_t *texel = &p_surface.texture[size_t(4 * (y * p_surface.texture_width + x))];
-	return { from_srgb(texel[0]), from_srgb(texel[1]), from_srgb(texel[2]), float(texel[3]) / 255.0f };
 }
 
 class PlantPainter {
@@ -81,7 +80,7 @@ private:
 				const auto mix = [&](const auto &p_values) {
 					return ((1.0f - part.sum()) * p_values[a] + part.x() * p_values[b] + part.y() * p_values[c]).eval();
 				};
-				const Eigen::Vector4f texel = texel_at(p_surface, mix(p_surface.uvs));
+				const Eigen::Vector4f texel = texel_of(p_surface, mix(p_surface.uvs));
 				if (texel.w() >= p_surface.scissor) {
 					const Eigen::Vector3f color = mix(p_surface.colors).cwiseProduct(texel.head<3>());
 					put(first + part.x() * to_b + part.y() * to_c, light * color);

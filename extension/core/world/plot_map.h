@@ -37,7 +37,8 @@ inline int64_t crop(PaintMap &r_map, const ReadLimits &p_limits) {
 }
 
 inline bool is_same(const PaintMap &p_one, const PaintMap &p_other) {
-	return p_one.get_base_density() == p_other.get_base_density() && p_one.compare(p_other).empty();
+	return p_one.get_base_density() == p_other.get_base_density() && p_one.get_ground_grid() == p_other.get_ground_grid() &&
+			p_one.compare(p_other).empty();
 }
 
 } // namespace grass

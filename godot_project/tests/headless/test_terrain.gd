@@ -12,6 +12,28 @@ func test_grass_stands_on_every_kind_of_terrain() -> void:
 		remove([field, terrain])
 
 
+## Their vertices lie at whole metres; the field's texels have their centres at half metres.
+func test_rough_ground_of_terrain_addons_is_that_of_their_cells() -> void:
+	for terrain: Node in [Terrain3DLike.new(), HTerrainLike.new()]:
+		hills_of(terrain).rough = 0.5
+		if terrain is HTerrainLike:
+			terrain.shape()
+		add_terrain(terrain)
+		var field := await field_on({position = Vector3(3, 5, -2)})
+		var most := 0.0
+		for n in 2000:
+			var at := Vector2(fmod(0.731 * n, 39.0) - 19.5, fmod(0.417 * n, 23.0) - 11.5)
+			var there := Vector3(at.x + 3.0, 0.0, at.y - 2.0)
+			var cell: Vector3 = terrain.get_internal_transform().affine_inverse() * there if terrain is HTerrainLike else there
+			var exact: float = (
+				4.0 * terrain.get_data().get_interpolated_height_at(cell) if terrain is HTerrainLike else terrain.data.get_height(there)
+			)
+			most = maxf(most, absf(5.0 + field.map.sample(GrassMap.CHANNEL_GROUND, at) - exact))
+		print("    at most %.1f mm off %s" % [1000.0 * most, terrain.get_script().resource_path.get_file()])
+		assert_less(most, 0.005, str(terrain.get_script().resource_path))
+		remove([field, terrain])
+
+
 func test_nothing_grows_in_a_hole() -> void:
 	for terrain in all_kinds():
 		hills_of(terrain).hole = Rect2(4, -4, 8, 8)

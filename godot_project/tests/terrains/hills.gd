@@ -2,6 +2,7 @@
 ## The hills that all stand-ins for terrains share, and the edits on them.
 extends RefCounted
 
+var rough := 0.0  # metres by which heights at whole metres differ from the hills at most
 var bump := 0.0  # metres more within `bump_area`
 var bump_area := Rect2()
 var hole := Rect2()  # x, z; without ground
@@ -12,7 +13,8 @@ var color := Color(0.8, 0.2, 0.1)
 
 
 func height(x: float, z: float) -> float:
-	return 12.0 + 2.0 * sin(0.1 * x) + 0.15 * z + (bump if bump_area.has_point(Vector2(x, z)) else 0.0)
+	var off := rough * (hash(Vector2i(Vector2(x, z).round())) % 1000 / 1000.0)
+	return off + 12.0 + 2.0 * sin(0.1 * x) + 0.15 * z + (bump if bump_area.has_point(Vector2(x, z)) else 0.0)
 
 
 func has_ground(x: float, z: float) -> bool:

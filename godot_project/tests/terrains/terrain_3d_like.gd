@@ -44,6 +44,10 @@ class Data:
 var data := Data.new()
 
 
+func get_vertex_spacing() -> float:
+	return Data.SPACING
+
+
 func get_data() -> Data:
 	return data
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "core/species/plant_views.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace grass {
+
+namespace {
+
+constexpr int FINER = 3; // samples for each texel, along a side
+// From the side the picture shows what an eye so much above the horizon sees of the plant, radians: mostly the upper sides of leaves, which
+// are lighter. The eye of somebody who stands sees plants 6 m away so.
+constexpr float RAISED = 0.26f;
+
+// As the engine decodes a texture of colours.
+uint8_t encoded(float p_linear) {
+	const float value = std::clamp(p_linear, 0.0f, 1.0f);
+	return uint8_t(std::lround(255.0f * (value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f)));
+}
+
+// How a view sees the plant: unit vectors in the plant's axes.
+struct ViewAxes {
+	Eigen::Vector3f right, up, to_eye;
+};
+
+// One view: samples with the nearest of what covers them.
+class ViewPainter {
+public:
+	ViewPainter(const ViewAxes &p_axes, float p_reach, bool p_is_above, int p_texels) :
+			_axes(p_axes), _side(FINER * p_texels), _samples(size_t(_side) * size_t(_side)) {
+		_scale = { float(_side) / (2.0f * p_reach), p_is_above ? float(_side) / (2.0f * p_reach) : float(_side) };
+		_bottom = p_is_above ? p_reach : 0.0f;
+	}
+
+	void draw(const PictureSurface &p_surface) {
+		for (size_t i = 0; i + 2 < p_surface.indices.size(); i += 3) {
+			draw_face(p_surface, { size_t(p_surface.indices[i]), size_t(p_surface.indices[i + 1]), size_t(p_surface.indices[i + 2]) });
+		}
+	}
+
+	PlantView shrunk() const {
+		PlantView view;
+		view.depth = find_depth();
+		const Sample all = mean_of(_samples, _side, 0, 0, _side);
+		std::vector<Sample> level;
+		int side = _side / FINER;
+		for (int n = 0; n < side * side; n++) {
+			level.push_back(mean_of(_samples, _side, n % side * FINER, n / side * FINER, FINER));
+		}
+		while (true) {
+			for (const Sample &texel : level) {
+				append(texel, all, view);
+			}
+			if (side <= 1) {
+				return view;
+			}
+			std::vector<Sample> half;
+			for (int n = 0; n < side * side / 4; n++) {
+				half.push_back(mean_of(level, side, n % (side / 2) * 2, n / (side / 2) * 2, 2));
+			}
+			level = std::move(half);
+			side /= 2;
+		}
+	}
+
+private:
+	struct Sample {
+		Eigen::Vector3f color = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero(); // linear; in the plant's axes
+		float depth = -std::numeric_limits<float>::infinity();
+		float share = 0.0f; // 1: covered
+	};
+
+	// Samples, y down.
+	Eigen::Vector2f seen(const Eigen::Vector3f &p_place) const {
+		return { 0.5f * float(_side) + p_place.dot(_axes.right) * _scale.x(),
+			float(_side) - (p_place.dot(_axes.up) + _bottom) * _scale.y() };
+	}
+
+	void draw_face(const PictureSurface &p_surface, const std::array<size_t, 3> &p_corners) {
+		const Eigen::Vector2f a = seen(p_surface.places[p_corners[0]]), b = seen(p_surface.places[p_corners[1]]),
+							  c = seen(p_surface.places[p_corners[2]]);
+		const auto turn = [](const Eigen::Vector2f &p_from, const Eigen::Vector2f &p_to, const Eigen::Vector2f &p_at) {
+			return (p_to.x() - p_from.x()) * (p_at.y() - p_from.y()) - (p_to.y() - p_from.y()) * (p_at.x() - p_from.x());
+		};
+		const float area = turn(a, b, c);
+		const Eigen::Array2f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+		if (!(std::abs(area) > 1e-6f) || !low.allFinite() || !high.allFinite()) {
+			return;
+		}
+		const Eigen::Array2i first = (low - 0.5f).ceil().max(0.0f).min(float(_side)).cast<int>(),
+							 last = (high - 0.5f).floor().max(-1.0f).min(float(_side - 1)).cast<int>();
+		for (int y = first.y(); y <= last.y(); y++) {
+			for (int x = first.x(); x <= last.x(); x++) {
+				const Eigen::Vector2f at(float(x) + 0.5f, float(y) + 0.5f);
+				const Eigen::Vector3f part(turn(b, c, at) / area, turn(c, a, at) / area, turn(a, b, at) / area);
+				if (part.minCoeff() >= 0.0f) {
+					put(_samples[size_t(y) * size_t(_side) + size_t(x)], p_surface, p_corners, part);
+				}
+			}
+		}
+	}
+
+	void put(Sample &r_sample, const PictureSurface &p_surface, const std::array<size_t, 3> &p_corners,
+			const Eigen::Vector3f &p_part) const {
+		const auto mix = [&](const auto &p_values) {
+			return (p_part[0] * p_values[p_corners[0]] + p_part[1] * p_values[p_corners[1]] + p_part[2] * p_values[p_corners[2]]).eval();
+		};
+		const float depth = mix(p_surface.places).dot(_axes.to_eye);
+		if (depth < r_sample.depth) {
+			return;
+		}
+		const Eigen::Vector4f texel = texel_of(p_surface, mix(p_surface.uvs));
+		if (texel.w() < p_surface.scissor) {
+			return;
+		}
+		Eigen::Vector3f normal = mix(p_surface.normals);
+		normal *= normal.dot(_axes.to_eye) < 0.0f ? -1.0f : 1.0f; // leaves are lit from both sides
+		r_sample = { mix(p_surface.colors).cwiseProduct(texel.head<3>()), normal.normalized(), depth, 1.0f };
+	}
+
+	// Of what is covered.
+	static Sample mean_of(const std::vector<Sample> &p_samples, int p_side, int p_x, int p_y, int p_count) {
+		Sample sum;
+		for (int y = p_y; y < p_y + p_count; y++) {
+			for (int x = p_x; x < p_x + p_count; x++) {
+				const Sample &sample = p_samples[size_t(y) * size_t(p_side) + size_t(x)];
+				sum.color += sample.share * sample.color;
+				sum.normal += sample.share * sample.normal;
+				sum.share += sample.share;
+			}
+		}
+		const float count = std::max(sum.share, 1e-6f);
+		sum.color /= count;
+		sum.normal /= count;
+		sum.share /= float(p_count * p_count);
+		return sum;
+	}
+
+	float find_depth() const {
+		constexpr double NEARER = 0.8; // share of what is seen that may be farther away: a flower is nearer than the leaves below it
+		std::vector<float> depths;
+		for (const Sample &sample : _samples) {
+			if (sample.share > 0.0f) {
+				depths.push_back(sample.depth);
+			}
+		}
+		if (depths.empty()) {
+			return 0.0f;
+		}
+		const auto at = depths.begin() + std::ptrdiff_t(NEARER * double(depths.size() - 1));
+		std::nth_element(depths.begin(), at, depths.end());
+		return *at;
+	}
+
+	// p_all: what a texel shows that is not covered.
+	void append(const Sample &p_texel, const Sample &p_all, PlantView &r_view) const {
+		const Sample &shown = p_texel.share > 0.0f ? p_texel : p_all;
+		const Eigen::Vector3f normal = shown.normal.norm() > 1e-6f ? Eigen::Vector3f(shown.normal.normalized()) : _axes.to_eye;
+		for (int c = 0; c < 3; c++) {
+			r_view.colors.push_back(encoded(shown.color[c]));
+			r_view.normals.push_back(uint8_t(std::lround(127.5f + 127.5f * normal[c])));
+		}
+		r_view.colors.push_back(uint8_t(std::lround(255.0f * p_texel.share)));
+		r_view.normals.push_back(255);
+	}
+
+	ViewAxes _axes;
+	int _side;
+	Eigen::Vector2f _scale; // samples for each unit of the mesh
+	float _bottom;
+	std::vector<Sample> _samples;
+};
+
+} // namespace
+
+std::vector<PlantView> draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels) {
+	std::vector<PlantView> views;
+	for (int k = 0; k <= p_sides; k++) {
+		const bool is_above = k == p_sides;
+		const float angle = 2.0f * std::numbers::pi_v<float> * float(k) / float(p_sides), x = std::cos(angle), z = std::sin(angle);
+		const ViewAxes axes = is_above ? ViewAxes{ { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } }
+									   : ViewAxes{ { z, 0, -x }, { 0, 1, 0 }, Eigen::Vector3f(x, std::tan(RAISED), z).normalized() };
+		ViewPainter painter(axes, p_reach, is_above, p_texels);
+		for (const PictureSurface &surface : p_surfaces) {
+			painter.draw(surface);
+		}
+		views.push_back(painter.shrunk());
+	}
+	return views;
+}
+
+} // namespace grass

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Pictures of a plant's mesh from all sides and from above, for what stands for it at some distance.
+#pragma once
+
+#include "core/species/plant_picture.h"
+
+namespace grass {
+
+// From the side the picture is as wide as the plant's reach to both sides, and reaches from its root to its tip. From above it is as wide
+// and as deep as that. All mipmaps follow each other, the largest first; in each the alpha is the share of a texel that is covered, and
+// transparent texels have the mean of the others.
+struct PlantView {
+	std::vector<uint8_t> colors; // RGBA8, sRGB
+	std::vector<uint8_t> normals; // RGBA8: x, y, z in the plant's axes, -1..1; alpha unused
+	float depth = 0.0f; // towards the eye, where most of the nearer parts are: units of the mesh
+};
+
+// The eye of view k of p_sides is beside the plant, at the angle k / p_sides of a turn from x to z; the last view is from above, with x to
+// the right and z down. p_surfaces: one unit high, their normals set; p_reach: farthest from the axis; p_texels: a power of two.
+std::vector<PlantView> draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels);
+
+} // namespace grass
