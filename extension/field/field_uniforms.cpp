@@ -30,6 +30,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("debug_view", p_properties.debug_view);
 	p_set("follow_slope", p_setup.follow_slope);
 	p_set("other_light", _light);
+	p_set("sun_map", _sun_map);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			p_set(FIELD_PARAMS[i].tunable.name, p_properties.scaled(FIELD_PARAMS[i].id));
@@ -60,6 +61,13 @@ void FieldUniforms::set_light(const Vector4 &p_other, const SetUniform &p_set) {
 	if (_light != p_other) {
 		_light = p_other;
 		p_set("other_light", _light);
+	}
+}
+
+void FieldUniforms::set_sun_map(const Vector4 &p_map, const SetUniform &p_set) {
+	if (_sun_map != p_map) {
+		_sun_map = p_map;
+		p_set("sun_map", _sun_map);
 	}
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_view.h"
 
+#include "field/sun_map.h"
 #include "shared/convert.h"
 #include "shared/frames.h"
 #include "shared/scene_watch.h"
@@ -175,8 +176,7 @@ std::vector<Eigen::Vector3f> find_falls(
 		const VisualInstance3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
 	std::vector<Eigen::Vector3f> falls;
 	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
-		if (!sun->has_shadow() || !sun->is_visible_in_tree() || sun->get_world_3d() != p_node->get_world_3d() ||
-				(sun->get_shadow_caster_mask() & p_node->get_layer_mask()) == 0 || falls.size() == GRASS_MAX_SUNS) {
+		if (!casts_for(sun, p_node) || falls.size() == GRASS_MAX_SUNS) {
 			continue;
 		}
 		const Eigen::Vector3d shining = to_eigen(-sun->get_global_transform().basis.get_column(2));

@@ -3,9 +3,11 @@
 
 #include "shared/scene_watch.h"
 
+#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/sky.hpp>
+#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 
 using namespace godot;
@@ -19,6 +21,16 @@ constexpr int LOOKS = 2;
 bool is_shining(const DirectionalLight3D *p_sun, const Node3D *p_node) {
 	return p_sun->is_visible_in_tree() && p_sun->get_sky_mode() != DirectionalLight3D::SKY_MODE_SKY_ONLY &&
 			p_sun->get_world_3d() == p_node->get_world_3d();
+}
+
+// Returns the environment in which the renderer draws: the camera's own one comes first.
+Ref<Environment> find_environment(const Node3D *p_node) {
+	const Camera3D *camera = p_node->get_viewport()->get_camera_3d();
+	if (camera != nullptr && camera->get_environment().is_valid()) {
+		return camera->get_environment();
+	}
+	const Ref<World3D> world = p_node->get_world_3d();
+	return world->get_environment().is_valid() ? world->get_environment() : world->get_fallback_environment();
 }
 } // namespace
 
@@ -35,7 +47,7 @@ Vector4 OtherLight::find(Node3D *p_node) {
 			seen.insert(seen.end(), { from.x, from.y, from.z, color.r, color.g, color.b });
 		}
 	}
-	const Ref<Environment> environment = p_node->get_world_3d()->get_environment();
+	const Ref<Environment> environment = find_environment(p_node);
 	if (!is_any || !are_all || environment.is_null()) {
 		return Vector4(0, 0, 0, is_any && are_all ? 1 : 0);
 	}

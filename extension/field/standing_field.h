@@ -91,6 +91,7 @@ public:
 	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
 	// Must be called in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, _set); }
+	void show_sun_map(const godot::Vector4 &p_map) { _uniforms.set_sun_map(p_map, _set); } // see find_sun_map(); in each frame
 	// Advances the wind. Must be called in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
 	// Must be called in each frame before show_motion(). See Backend.

@@ -7,6 +7,7 @@
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
 #include "field/field_view.h"
+#include "field/sun_map.h"
 #include "shared/convert.h"
 #include "shared/scene_watch.h"
 
@@ -166,8 +167,11 @@ void GrassField::_before_draw() {
 	update_map();
 	const Transform3D place = drawn_transform();
 	const FieldView view = is_visible_in_tree() ? find_view(this, place, _properties, _standing.get_field()) : FieldView();
-	if (is_compatibility() && !view.cameras.empty()) {
-		_standing.show_light(_other_light.find(this));
+	if (!view.cameras.empty()) {
+		_standing.show_sun_map(find_sun_map(this));
+		if (is_compatibility()) {
+			_standing.show_light(_other_light.find(this));
+		}
 	}
 	_standing.read_asked();
 	if (view.has_motion) {

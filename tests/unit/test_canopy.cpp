@@ -86,3 +86,34 @@ TEST_CASE("canopy: hidden is what the line's way through the grass makes it, in 
 	CHECK(scene.hidden({ -6, 1.7, 0 }, { 4, 1.2, 0 }) == 0.0); // and a standing one
 	CHECK(whole < 1.0);
 }
+
+TEST_CASE("canopy: the sun reaches tips, less of what is below, and the less the lower it is [Eq B8]") {
+	const float cover = 0.9f, shade = 0.8f;
+	float before_sun = 0.0f;
+	for (const float sine : { 0.1f, 0.3f, 0.7f, 1.0f }) {
+		const float path = glsl::grass_sun_path(sine);
+		CHECK(glsl::grass_sun_open(glsl::grass_cover_above(cover, 0.0f), path, shade) == 1.0f);
+		float before = 1.0f;
+		for (const float depth : { 0.3f, 0.6f, 1.0f }) {
+			const float open = glsl::grass_sun_open(glsl::grass_cover_above(cover, depth), path, shade);
+			CHECK(open < before);
+			before = open;
+		}
+		CHECK(before > before_sun);
+		CHECK(before > float(GRASS_CANOPY_SCATTER));
+		before_sun = before;
+		CHECK(glsl::grass_sun_open(cover, path, 0.0f) == 1.0f);
+	}
+}
+
+TEST_CASE("canopy: shadow maps of dense grass and of a low sun leave light for contrast [Eq B9]") {
+	for (const float cover : { 0.05f, 0.9f, 6.0f }) {
+		for (const float sine : { -0.2f, 0.05f, 0.5f, 1.0f }) {
+			const float path = glsl::grass_sun_path(sine), width = glsl::grass_shadow_width(cover, path);
+			CHECK(width <= 1.0f);
+			CHECK(double(glsl::grass_shadow_open(cover, path, width)) > std::exp(-double(GRASS_SHADOW_MEETS)) - 1e-6);
+			CHECK((width == 1.0f || path * cover > float(GRASS_SHADOW_MEETS)));
+		}
+	}
+	CHECK(glsl::grass_shadow_open(0.0f, 2.0f, 1.0f) == 1.0f);
+}

@@ -11,6 +11,7 @@ namespace grass::glsl {
 
 #include "blades/blade.inc"
 #include "blades/color.inc"
+#include "blades/sun.inc"
 #include "blades/wind.inc"
 
 #include "blades/force.inc"

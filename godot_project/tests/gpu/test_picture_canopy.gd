@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+## Grass is as light with its own shadows as without them, at any distance and in any sun, and shadows of other things on it stay black.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(256, 144)
+const HEIGHTS: Array[float] = [15.0, 45.0, 75.0]  # of the sun, degrees
+const DISTANCES: Array[float] = [3.0, 7.0, 14.0, 29.0, 69.0]  # along a line of sight that falls by 60 degrees
+const UNLIKE := 0.045  # most by which the light of two pictures may differ, as a share
+const UNLIKE_FAR := 0.08  # the same of pictures from different distances
+
+var sun: DirectionalLight3D
+var world: WorldEnvironment
+
+
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	sun = viewport.get_child(1) as DirectionalLight3D
+	world = viewport.get_child(2) as WorldEnvironment
+	world.environment.ambient_light_energy = 0.35
+	camera.fov = 20.0
+	camera.far = 400.0
+
+
+func look_down(distance: float) -> void:
+	look(distance * Vector3(0, sin(PI / 3.0), cos(PI / 3.0)), Vector3.ZERO)
+
+
+func light_of(image: Image) -> float:
+	var sum := 0.0
+	for y in image.get_height():
+		for x in image.get_width():
+			sum += image.get_pixel(x, y).srgb_to_linear().get_luminance()
+	return sum / (image.get_width() * image.get_height())
+
+
+## The light of pictures as things are now, one for each of HEIGHTS.
+func lights() -> Array[float]:
+	var all: Array[float] = []
+	for height in HEIGHTS:
+		sun.rotation_degrees = Vector3(-height, 90, 0)
+		all.append(light_of(await picture()))
+	return all
+
+
+func test_grass_is_as_light_with_its_shadows_as_without() -> void:
+	var field := add_seen_field({size = Vector2(100, 100)})
+	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+	sun.shadow_enabled = true
+	await drawn()  # the renderer may compile what casts shadows in the first of these frames
+	var near_and_far: Array[float] = []
+	for distance in DISTANCES:
+		look_down(distance)
+		var light := {}
+		for shadows: String in ["cast", "not cast", "none"]:
+			sun.shadow_enabled = shadows != "none"
+			field.cast_shadow = int(shadows == "cast") as GeometryInstance3D.ShadowCastingSetting
+			light[shadows] = await lights()
+		for i in HEIGHTS.size():
+			var text := "%d m, sun %d degrees high: %.4f with shadows, %.4f without"
+			text = text % [distance, HEIGHTS[i], light["cast"][i], light["none"][i]]
+			print("    ", text)
+			assert_near(light["cast"][i] / light["none"][i], 1.0, UNLIKE, text)
+			assert_near(light["not cast"][i] / light["none"][i], 1.0, 0.01, "a field without shadows, " + text)
+		near_and_far.append(light["cast"][1])
+	assert_less(near_and_far.max() / near_and_far.min(), 1.0 + UNLIKE_FAR, "from all distances: %s" % [near_and_far])
+
+
+func test_shadows_of_other_things_are_black_on_grass() -> void:
+	var field := add_seen_field({size = Vector2(30, 30)})
+	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+	var roof := MeshInstance3D.new()
+	roof.mesh = BoxMesh.new()
+	(roof.mesh as BoxMesh).size = Vector3(12, 0.2, 12)
+	roof.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_SHADOWS_ONLY
+	viewport.add_child(roof)
+	roof.position = Vector3(4, 4, 0)  # towards the sun
+	sun.shadow_enabled = true
+	sun.rotation_degrees = Vector3(-45, 90, 0)
+	world.environment.ambient_light_energy = 0.0
+	look_down(7.0)
+	await grown(field)
+	roof.visible = false
+	var lit := light_of(await picture())
+	roof.visible = true
+	var shaded := light_of(await picture())
+	print("    %.4f of %.4f below a roof" % [shaded, lit])
+	assert_less(shaded, 0.005 * lit, "no light gets through")
