@@ -30,7 +30,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("debug_view", p_properties.debug_view);
 	p_set("follow_slope", p_setup.follow_slope);
 	p_set("other_light", _light);
-	p_set("sun_map", _sun_map);
+	p_set("sun_map", find_cast());
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			p_set(FIELD_PARAMS[i].tunable.name, p_properties.scaled(FIELD_PARAMS[i].id));
@@ -67,8 +67,13 @@ void FieldUniforms::set_light(const Vector4 &p_other, const SetUniform &p_set) {
 void FieldUniforms::set_sun_map(const Vector4 &p_map, const SetUniform &p_set) {
 	if (_sun_map != p_map) {
 		_sun_map = p_map;
-		p_set("sun_map", _sun_map);
+		p_set("sun_map", find_cast());
 	}
+}
+
+// Near plants with a mesh cast its shadow, and not that of their blades.
+Vector4 FieldUniforms::find_cast() const {
+	return { _sun_map.x, _sun_map.y, _sun_map.z * real_t(1.0f - _mesh_share), _sun_map.w };
 }
 
 void FieldUniforms::set_wind_clock(const SetUniform &p_set) {
@@ -168,6 +173,11 @@ void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_
 void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species,
 		const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set, const SetUniform &p_set_blades) {
 	set_colors(p_species, p_set);
+	_mesh_share = 0.0f;
+	for (size_t s = 0; s < p_plants.size() && p_setup.species; s++) {
+		_mesh_share += p_plants[s].model ? float(p_setup.species->get_share(int(s))) : 0.0f;
+	}
+	p_set("sun_map", find_cast());
 	if (!p_setup.species) {
 		return;
 	}

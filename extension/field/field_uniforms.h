@@ -39,6 +39,7 @@ public:
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
+	godot::Vector4 find_cast() const;
 	static void set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set);
 	static void set_colors(const std::vector<GrownSpecies> &p_species, const SetUniform &p_set);
 
@@ -46,6 +47,7 @@ private:
 	Eigen::Matrix3d _turn = Eigen::Matrix3d::Identity();
 	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
 	godot::Vector4 _light, _sun_map;
+	float _mesh_share = 0.0f; // of the blades: those of species with a mesh
 	Cards _cards;
 	size_t _forces = 0; // that the shaders have
 };
