@@ -155,7 +155,9 @@ vec3 force_on(StrainBlade p_blade, int p_mass) {
 	return before_of(knot_of_mass(p_mass));
 }
 
-// Of a blade that has been a chain. The numbers are written over the twists.
+#include "strain/step.inc"
+
+// What take_chain.inc asks for. The numbers are written over the twists.
 float twist_of(StrainBlade p_blade, int p_joint) {
 	return start_twist_of(p_joint);
 }
@@ -171,7 +173,7 @@ void move_knot(inout StrainBlade r_blade, int p_knot, vec3 p_place) {
 	set_start(p_knot, p_place);
 }
 
-#include "strain/step.inc"
+#include "strain/take_chain.inc"
 
 StrainSection load_section() {
 	StrainSection section;
@@ -204,35 +206,26 @@ StrainBlade load_blade() {
 }
 
 // Whether a step would change nothing: the blade is at rest, and nothing moves it.
-bool is_resting(bool p_was_chain) {
+bool is_resting() {
 	float sum = sum_of(OWN_STEP.load.xyz);
-	for (int row = 0; row < GRASS_ROLLED(2 * GRASS_STRAINS) && sum <= 0.0; row++) {
-		sum += p_was_chain && row >= GRASS_STRAIN_JOINTS ? 0.0 : abs(pool_twists[twist_row(uint(row))]);
-	}
-	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_ROLLED(GRASS_KNOTS) && sum <= 0.0; k++) {
-		vec3 rest = rest_of(k);
-		sum += sum_of(start_of(k) - rest) + sum_of(before_of(k) - rest);
+	[[unroll]]
+	for (uint row = 0u; row < uint(2 * GRASS_STRAINS); row++) {
+		sum += abs(pool_twists[twist_row(row)]);
 	}
 	return sum <= 0.0;
 }
-// A blade at rest that has been a chain has numbers of 0.
-void rest_strains() {
-	for (uint row = 0u; row < uint(2 * GRASS_STRAINS); row++) {
-		pool_twists[twist_row(row)] = 0.0;
-	}
-}
 
 void step_blade(uint p_tile) {
-	bool was_chain = (pool_half[slot.tile.w] & HAS_STRAINS) == 0u;
-	if (!is_resting(was_chain)) {
-		StrainBlade own = load_blade();
+	StrainBlade own = load_blade();
+	if ((pool_half[slot.tile.w] & HAS_STRAINS) == 0u) {
+		take_chain(own);
+	}
+	if (!is_resting()) {
 		StrainSection section = load_section();
 		StrainStep own_step = make_strain_step();
-		float blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
-		float energy = take_free_step(own, section, own_step, blend, was_chain);
+		float energy = strain_energy(own, section, own_step);
 		atomicMax(liveliest[p_tile], floatBitsToUint(energy < 1e30 ? energy : 0.0)); // of a blade that is not finite, and is put to rest: 0
-	} else if (was_chain) {
-		rest_strains();
+		take_free_step(own, section, own_step, (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0);
 	}
 }
 

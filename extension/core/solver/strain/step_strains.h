@@ -56,14 +56,17 @@ template <class T> GRASS_INLINE void load_blade(const TileState &p_state, int p_
 		r_blade.axes[s] = joint_axes(r_blade.rest[s] - r_blade.rest[s - 1], r_blade.rest[s + 1] - r_blade.rest[s], width, shorter);
 	}
 	for (int n = 0; n < GRASS_STRAINS; n++) {
-		r_blade.now.at[n] = p_state.has_strains ? load<T>(&p_state.strains[n][p_first]) : T(0.0f);
-		r_blade.before.at[n] = p_state.has_strains ? load<T>(&p_state.strains_before[n][p_first]) : T(0.0f);
+		r_blade.now.at[n] = load<T>(&p_state.strains[n][p_first]);
+		r_blade.before.at[n] = load<T>(&p_state.strains_before[n][p_first]);
 	}
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const int free = k - GRASS_CLAMPED_KNOTS;
 		r_blade.places[k] = load_knot<T>(p_state.knots, free, p_first);
 		r_blade.places_before[k] = load_knot<T>(p_state.before, free, p_first);
 		r_blade.twist[k - 1] = load<T>(&p_state.twist[free][p_first]);
+	}
+	if (!p_state.has_strains) {
+		take_chain(r_blade);
 	}
 }
 
@@ -87,9 +90,6 @@ template <class T> GRASS_INLINE auto is_resting(const StrainBlade<T> &p_blade, c
 	for (int n = 0; n < GRASS_STRAINS; n++) {
 		sum = sum + (absolute(p_blade.now.at[n]) + absolute(p_blade.before.at[n]));
 	}
-	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		sum = sum + (sum_of(p_blade.places[k] - p_blade.rest[k]) + sum_of(p_blade.places_before[k] - p_blade.rest[k]));
-	}
 	return sum <= T(0.0f);
 }
 
@@ -111,11 +111,12 @@ template <class T> GRASS_INLINE float step_strains(TileState &r_state, std::span
 			own.load = own.load + Vec3<T>{ load<T>(&air.load[0][first]), load<T>(&air.load[1][first]), load<T>(&air.load[2][first]) };
 			own.drag = own.drag + load<T>(&air.drag[first]) * T(p_steps[0].chain.x);
 		}
-		if (any(!is_resting(blade, own))) {
-			liveliest = std::max(liveliest, largest(take_free_step(blade, section, own, T(p_blend), !r_state.has_strains)));
-		} else if (r_state.has_strains) {
+		if (!any(!is_resting(blade, own))) {
+			store_blade(blade, first, r_state);
 			continue;
 		}
+		liveliest = std::max(liveliest, largest(strain_energy(blade, section, own)));
+		take_free_step(blade, section, own, T(p_blend));
 		store_blade(blade, first, r_state);
 	}
 	r_state.has_strains = true;

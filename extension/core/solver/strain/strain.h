@@ -81,6 +81,8 @@ GRASS_INLINE void put_knot(StrainBlade<T> &r_blade, int p_knot, const Vec3<T> &p
 	r_blade.twist[p_knot - 1] = p_twist;
 }
 
+#include "strain/step.inc"
+
 template <class T> GRASS_INLINE const T &twist_of(const StrainBlade<T> &p_blade, int p_joint) {
 	return p_blade.twist[p_joint];
 }
@@ -93,7 +95,7 @@ template <class T> GRASS_INLINE void move_knot(StrainBlade<T> &r_blade, int p_kn
 	r_blade.places[p_knot] = p_place;
 }
 
-#include "strain/step.inc"
+#include "strain/take_chain.inc"
 
 #include "core/base/lane_words_end.h"
 #undef GRASS_FUNCTION
