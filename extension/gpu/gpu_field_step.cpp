@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tick of GpuField: uploads, the simulation pass, and the readback of energies.
 #include "core/base/cpu_clock.h"
-#include "core/solver/strain/strain.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
 #include "gpu/obstacles.h"
@@ -215,7 +214,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
 	if (p_records.passes[size_t(SlotPass::STRAINS)].tiles() > 0) {
-		uploaded += _section_records.upload(_sections.find(_kind.species ? p_records.species : std::span(&p_records.step, 1)));
+		uploaded += _section_records.upload(_sections.find_numbers(_kind.species ? p_records.species : std::span(&p_records.step, 1)));
 	}
 	make_room_to_work(count_groups(p_records.passes), uint32_t(count_working_tiles(device_limits())));
 	{

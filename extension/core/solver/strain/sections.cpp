@@ -23,4 +23,10 @@ std::span<const StrainSection<float>> StrainSections::find(std::span<const Grass
 	return _sections;
 }
 
+std::span<const float> StrainSections::find_numbers(std::span<const GrassStep> p_steps) {
+	static_assert(sizeof(StrainSection<float>) == (2 * GRASS_STRAIN_SPRINGS + GRASS_STRAIN_MASSES) * sizeof(float));
+	const std::span<const StrainSection<float>> sections = find(p_steps);
+	return { reinterpret_cast<const float *>(sections.data()), sections.size_bytes() / sizeof(float) };
+}
+
 } // namespace grass

@@ -20,6 +20,8 @@ public:
 	// Returns those of the species that take these steps, in their order: found anew, some 50 microseconds each, only for those that have
 	// changed. Valid until the next call.
 	std::span<const StrainSection<float>> find(std::span<const GrassStep> p_steps);
+	// Returns the same as the numbers that strains.glsl reads.
+	std::span<const float> find_numbers(std::span<const GrassStep> p_steps);
 
 private:
 	std::vector<std::pair<float, float>> _found_for; // what of a step they depend on
