@@ -70,6 +70,7 @@ const COUNTERS: Array[String] = [
 	"render_jobs",
 	"instance_updates",
 	"drawn_plants",
+	"drawn_impostors",
 	"left_out_plants",
 	"shadow_tiles",
 	"shadow_blades",
