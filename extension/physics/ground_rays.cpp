@@ -62,7 +62,7 @@ Dictionary GroundRays::find_hit(const Eigen::Vector3d &p_from, const Eigen::Vect
 	_query->set_from(from);
 	_query->set_to(to);
 	while (true) {
-		const Dictionary hit = _space->intersect_ray(_query);
+		Dictionary hit = _space->intersect_ray(_query);
 		if (hit.is_empty()) {
 			return hit;
 		}

@@ -69,7 +69,9 @@ func test_the_button_bakes_the_whole_field() -> void:
 	await settled()  # grass that stood on them comes down
 	var before := heights()
 	await click(toolbar.get_node("Bake"))
-	assert_eq(heights(), before, "no ground: nothing changes")
+	var after := heights()
+	for i in before.size():
+		assert_near(after[i], before[i], 0.005, "no ground: heights only move from the hill's vertices into their texels")
 
 
 func test_a_stroke_that_only_bakes_is_a_step_of_the_history() -> void:

@@ -194,10 +194,10 @@ func test_an_export_without_its_library_is_an_error() -> void:
 	var linux := EditorExportPlatformLinuxBSD.new()
 	assert_eq(export_errors(linux, {"binary_format/architecture": "x86_64"}), PackedStringArray(), "it is there")
 
-	expect_error("GrassField: grass_field.gdextension names no library for linux rv64 (debug)")
-	var errors := export_errors(linux, {"binary_format/architecture": "rv64"})
+	expect_error("GrassField: grass_field.gdextension names no library for linux loongarch64 (debug)")
+	var errors := export_errors(linux, {"binary_format/architecture": "loongarch64"})
 	if assert_eq(errors.size(), 1):
-		assert_true(errors[0].contains("./grass build platform=linux arch=rv64 target=debug"), errors[0])
+		assert_true(errors[0].contains("./grass build platform=linux arch=loongarch64 target=debug"), errors[0])
 
 	var file := FileAccess.open(EXTENSION, FileAccess.WRITE)
 	file.store_string(lists.replace("libgrass_field.windows.template_debug.x86_64.dll", "nowhere.dll"))

@@ -5,6 +5,10 @@
 #include "core/solver/free.h"
 #include "core/solver/strain/constants.h"
 
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed" // without optimization no loop is unrolled
+#endif
+
 namespace grass {
 
 #define GRASS_CONSTANT inline constexpr
