@@ -18,8 +18,9 @@
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
 layout(push_constant) uniform Phase {
-	ivec4 phase; // x: GRASS_PLANTS_*; y: the species + GRASS_MAX_SPECIES * GRASS_PLANT_MESH or GRASS_PLANT_IMPOSTOR; z: plants that the
-// MultiMesh holds; w: surfaces of its mesh
+	// x: GRASS_PLANTS_*; y: the species + GRASS_MAX_SPECIES * GRASS_PLANT_MESH or GRASS_PLANT_IMPOSTOR; z: plants that the MultiMesh holds;
+	// w: surfaces of its mesh.
+	ivec4 phase;
 	vec4 box; // xy: tiles around a camera along x, z; z: up to which distance plants are drawn so, metres; w: from which on
 	vec4 map; // xy: map_origin; z: metres, length of a mean plant; w: area that one shows to an eye beside it, divided by a tile's
 };
