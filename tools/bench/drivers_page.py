@@ -38,7 +38,7 @@ def figures():
 			body.append([driver_figures.label_of(*key), *(cell(rows[name, *key]) if (name, *key) in rows else "" for name in cards)])
 		lines += grid(["pipeline", *(card.title for card in cards.values())], body)[:-1]
 	made = dict.fromkeys(re.sub(r"^\w+(?:: | (?=\w+: ))", "", note) for note in notes)  # a card's name says nothing here
-	return [*lines, "", f"[drivers.csv](../benchmarks/drivers/drivers.csv). {'. '.join(made)}.", ""]
+	return [*lines, "", "[drivers.csv](../benchmarks/drivers/drivers.csv):", "", *(f"- {note}" for note in made), ""]
 
 
 TABLES = {"rules": rules, "figures": figures}
