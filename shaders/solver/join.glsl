@@ -52,11 +52,7 @@ shared vec2 places[GRASS_BLADES_PER_TILE + 1]; // of the blades' roots in the ti
 #include "strain/leave.inc"
 
 void find_blade(uint p_number) {
-	blade.number = p_number;
-	blade.half_now = pool_half[slot.tile.w] & 1u;
-#ifdef GRASS_SPECIES
-	blade.species = species_of_blade();
-#endif
+	take_blade(p_number);
 	places[p_number] = texelFetch(patch_texture, patch_texel(0), 0).xy;
 	find_growth(places[p_number]);
 }

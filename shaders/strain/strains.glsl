@@ -192,11 +192,7 @@ StrainStep make_strain_step() {
 }
 
 void find_blade(uint p_number) {
-	blade.number = p_number;
-	blade.half_now = pool_half[slot.tile.w] & 1u;
-#ifdef GRASS_SPECIES
-	blade.species = species_of_blade();
-#endif
+	take_blade(p_number);
 	find_growth(texelFetch(patch_texture, patch_texel(0), 0).xy);
 }
 StrainBlade load_blade() {

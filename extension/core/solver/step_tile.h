@@ -70,7 +70,7 @@ GRASS_INLINE float step_tile(
 		return step_strains<T>(r_state, p_steps, p_blend);
 	}
 #endif
-	r_state.has_strains = false;
+	r_state.has_strains = r_state.has_strains && r_state.sections != nullptr; // they stay where no time passes
 	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders, r_state.is_far);
 	float liveliest = 0.0f;
 	for (int first = 0; first < GRASS_BLADES_PER_TILE - r_state.left_out; first += LANE_COUNT<T>) {

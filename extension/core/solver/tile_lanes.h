@@ -60,12 +60,12 @@ template <class T> GRASS_INLINE float largest(const T &p_value) {
 	return most;
 }
 
-// Returns a number of each lane's own species. p_species: points to the first lane's blade.
+// Returns a number of each lane's own species, or of all if there is one step. p_species: points to the first lane's blade.
 template <class T>
 GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
 	alignas(64) float own[LANE_COUNT<T>];
 	for (int lane = 0; lane < LANE_COUNT<T>; lane++) {
-		own[lane] = p_steps[p_species[lane]].*p_of.*p_part;
+		own[lane] = p_steps[p_steps.size() > 1 ? p_species[lane] : 0].*p_of.*p_part;
 	}
 	return load<T>(own);
 }
