@@ -132,6 +132,7 @@ void GpuField::dispatch_simulate(const StepRecords &p_records) {
 	}
 	for (const Work &work : works) {
 		work.pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
+		work.pass->bind_buffer(GRASS_BINDING_FORCES, _forces.rid());
 		if (work.pass == &_simulate[size_t(SlotPass::STRAINS)][1]) {
 			work.pass->bind_buffer(GRASS_BINDING_SECTIONS, _section_records.rid());
 			continue;
@@ -140,7 +141,6 @@ void GpuField::dispatch_simulate(const StepRecords &p_records) {
 		work.pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		work.pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
 		work.pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
-		work.pass->bind_buffer(GRASS_BINDING_FORCES, _forces.rid());
 	}
 	const uint32_t groups = count_groups(p_records.passes), room = uint32_t(count_working_tiles(device_limits()));
 	const uint32_t most = room > 0 ? room : groups; // at once

@@ -147,6 +147,7 @@ func _strain_set(p_shared: Array[RID]) -> RID:
 	var section := _keep([_device.storage_buffer_create(4 * numbers.size(), numbers.to_byte_array())])
 	var uniforms: Array[RDUniform] = []
 	var buffers := {0: p_shared[0], 1: section[0], 4: p_shared[1], 5: p_shared[2], 8: p_shared[6], 10: p_shared[8], 13: p_shared[9]}
+	buffers[14] = section[0]  # no force blows
 	for binding: int in buffers:
 		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
 	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))

@@ -136,6 +136,7 @@ GrassSlot slot; // of this thread's tile
 
 #include "solver/state.inc"
 
+#include "solver/air.inc"
 #include "solver/rest.inc"
 #include "solver/pool.inc"
 #include "solver/report.inc"
@@ -180,19 +181,11 @@ vec3 width_at_root() {
 #include "strain/leave.inc"
 
 
-// [Eq W6] The effect of forces on the blade, by the air at its root. Called in one place: each copy costs registers.
+// [Eq W6] The effect of forces on the blade. Called in one place: each copy costs registers.
 void find_air_load() {
-	vec3 air = vec3(0.0);
-	vec3 root = root_of_blade();
-	for (uint left = slot.list.w >> GRASS_SLOT_FORCES; left != 0u; left &= left - 1u) {
-		GrassForce force = forces[findLSB(left)];
-		vec2 tiles = vec2(slot.tile.xy - force.anchor.xy) * step.field.x;
-		vec3 from = root + vec3(tiles.x, 0.0, tiles.y) - force.place.xyz;
-		air += grass_force_air(force.place.w, force.blow, force.ring, force.beat, from);
-	}
-	float drag = air != vec3(0.0) ? grass_force_drag(length(air)) : 0.0;
+	vec4 air = air_of_forces(root_of_blade());
 	float pbd = METHOD == GRASS_METHOD_PBD ? OWN_STEP.free_motion.x * OWN_STEP.free_motion.x : 1.0;
-	keep_of_blade(BLADE_AIR, vec4(air * (drag * pbd), drag));
+	keep_of_blade(BLADE_AIR, vec4(air.xyz * pbd, air.w));
 }
 
 void find_blade(uint p_number) {

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Moves the blades of awake tiles that nothing is near by their strains: one thread a blade; a workgroup has one tile, or several of which
+// Moves the blades of awake tiles without colliders by their strains: one thread a blade; a workgroup has one tile, or several of which
 // few blades are simulated, as in simulate. docs/decisions/0101-blades-by-strains.md
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -11,6 +11,7 @@
 #include "base/hash.inc"
 #include "blades/clump.inc"
 #include "blades/blade.inc"
+#include "blades/force.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
@@ -20,6 +21,9 @@ layout(push_constant, std430) uniform StepBlock {
 
 layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
 	GrassSlot slots[];
+};
+layout(set = 0, binding = GRASS_BINDING_FORCES, std430) restrict readonly buffer ForceBuffer {
+	GrassForce forces[];
 };
 // The pool, and what blades grow from: see simulate.glsl.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
@@ -60,6 +64,7 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 GrassSlot slot; // of this thread's tile
 
 #include "solver/state.inc"
+#include "solver/air.inc"
 #include "solver/rest.inc"
 #include "solver/pool.inc"
 #include "solver/report.inc"
@@ -184,16 +189,20 @@ StrainSection load_section() {
 	}
 	return section;
 }
-StrainStep make_strain_step() {
+// p_air: of air_of_forces().
+StrainStep make_strain_step(vec4 p_air) {
 	float swing = step.chain.x * WILD;
-	return StrainStep(OWN_STEP.load.xyz, OWN_STEP.free_motion.x, step.chain.y, OWN_STEP.chain.w * step.chain.x,
+	return StrainStep(OWN_STEP.load.xyz + p_air.xyz, OWN_STEP.free_motion.x, step.chain.y, (OWN_STEP.chain.w + p_air.w) * step.chain.x,
 			OWN_STEP.chain.z * OWN_STEP.free_motion.z, swing * swing * OWN_STEP.chain.z, step.pbd_motion.y, OWN_STEP.load.w, step.energy.x,
 			step.contact.z);
 }
 
-void find_blade(uint p_number) {
+// Returns the blade's root, metres from the centre of the tile.
+vec3 find_blade(uint p_number) {
 	take_blade(p_number);
-	find_growth(texelFetch(patch_texture, patch_texel(0), 0).xy);
+	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
+	float ground = find_growth(place);
+	return vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
 }
 StrainBlade load_blade() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
@@ -202,8 +211,8 @@ StrainBlade load_blade() {
 }
 
 // Whether a step would change nothing: the blade is at rest, and nothing moves it.
-bool is_resting() {
-	float sum = sum_of(OWN_STEP.load.xyz);
+bool is_resting(vec4 p_air) {
+	float sum = sum_of(OWN_STEP.load.xyz + p_air.xyz);
 	[[unroll]]
 	for (uint row = 0u; row < uint(2 * GRASS_STRAINS); row++) {
 		sum += abs(pool_twists[twist_row(row)]);
@@ -211,14 +220,15 @@ bool is_resting() {
 	return sum <= 0.0;
 }
 
-void step_blade(uint p_tile) {
+void step_blade(uint p_tile, vec3 p_root) {
+	vec4 air = air_of_forces(p_root);
 	StrainBlade own = load_blade();
 	if ((pool_half[slot.tile.w] & HAS_STRAINS) == 0u) {
 		take_chain(own);
 	}
-	if (!is_resting()) {
+	if (!is_resting(air)) {
 		StrainSection section = load_section();
-		StrainStep own_step = make_strain_step();
+		StrainStep own_step = make_strain_step(air);
 		float energy = strain_energy(own, section, own_step);
 		atomicMax(liveliest[p_tile], floatBitsToUint(energy < 1e30 ? energy : 0.0)); // of a blade that is not finite, and is put to rest: 0
 		take_free_step(own, section, own_step, (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0);
@@ -230,7 +240,7 @@ void main() {
 	uint tile = gl_LocalInvocationID.x / group.y, lane = gl_LocalInvocationID.x % group.y;
 	bool has_tile = tile < group.z, passes = step.contact.x >= 1.0; // else no time passes
 	slot = slots[group.x + min(tile, group.z - 1u)];
-	find_blade(lane);
+	vec3 root = find_blade(lane);
 	uint state = passes ? HAS_STRAINS : pool_half[slot.tile.w] & ~1u;
 	if (lane == 0u) {
 		begin_report(tile);
@@ -238,7 +248,7 @@ void main() {
 	barrier();
 	bool is_simulated = has_tile && lane < uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
 	if (is_simulated && passes) {
-		step_blade(tile);
+		step_blade(tile, root);
 	}
 	blade.half_now = passes ? 1u - blade.half_now : blade.half_now; // the next step starts from this step's places
 	if (is_simulated) {

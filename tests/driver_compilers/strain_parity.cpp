@@ -132,7 +132,7 @@ struct Pass {
 	Device device;
 	Bound slots{ device, sizeof(GrassSlot) / sizeof(float) }, knots{ device, size_t(2 * KNOT_FLOATS) }, halves{ device, 1 },
 			energy{ device, 4 }, growth{ device, 4 * BLADES }, section{ device, sizeof(StrainSection<float>) / sizeof(float) },
-			twists{ device, size_t((GRASS_LENGTH_ROW + 1) * BLADES) },
+			twists{ device, size_t((GRASS_LENGTH_ROW + 1) * BLADES) }, forces{ device, sizeof(GrassForce) / sizeof(float) },
 			patch{ device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER },
 			pool{ device, VK_FORMAT_R16G16B16A16_SFLOAT, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE };
 	VkDescriptorSetLayout set_layout{};
@@ -145,7 +145,8 @@ struct Pass {
 	std::vector<std::pair<uint32_t, const Bound *>> bound() const {
 		return { { GRASS_BINDING_SLOTS, &slots }, { GRASS_BINDING_KNOTS, &knots }, { GRASS_BINDING_HALVES, &halves },
 			{ GRASS_BINDING_PATCH, &patch }, { GRASS_BINDING_POOL_TEXTURE, &pool }, { GRASS_BINDING_ENERGY, &energy },
-			{ GRASS_BINDING_GROWTH, &growth }, { GRASS_BINDING_SECTIONS, &section }, { GRASS_BINDING_TWISTS, &twists } };
+			{ GRASS_BINDING_GROWTH, &growth }, { GRASS_BINDING_SECTIONS, &section }, { GRASS_BINDING_TWISTS, &twists },
+			{ GRASS_BINDING_FORCES, &forces } };
 	}
 	void make_layout() {
 		std::vector<VkDescriptorSetLayoutBinding> bindings;

@@ -297,10 +297,13 @@ inline void check_scene(int p_scene, uint32_t p_seed, int p_ticks) {
 	INFO(SCENE_NAMES[size_t(p_scene)] << ", seed " << p_seed << ": of " << changes.jumps.size() << " blades that changed one jumped by "
 									  << 1e3f * changes.largest() << " mm; " << changes.strain_steps << " of " << changes.tile_steps
 									  << " steps of tiles without colliders were by strains");
+	// A breeze moves its tiles over at once, while it throws blades by centimetres a step.
+	const bool has_bodies = make_scene(p_scene, p_seed).blasts.empty();
 	CHECK(changes.jumps.size() > 1000);
 	CHECK(changes.largest() > 0.0f);
-	CHECK(changes.largest() < 0.003f);
-	CHECK(std::ranges::count_if(changes.jumps, [](float p_jump) { return p_jump > 0.001f; }) < int(changes.jumps.size()) / 1000);
+	CHECK(changes.largest() < (has_bodies ? 0.003f : 0.006f));
+	const auto jumped = std::ranges::count_if(changes.jumps, [](float p_jump) { return p_jump > 0.001f; });
+	CHECK(jumped < int(changes.jumps.size()) / (has_bodies ? 1000 : 400));
 	CHECK(double(changes.strain_steps) > 0.3 * double(changes.tile_steps));
 }
 

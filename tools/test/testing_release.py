@@ -28,7 +28,7 @@ WORK = BUILD / "package"
 PLACE = "addons/grass_field"
 MOST_ALONE = 2_700_000  # bytes of a zip with a single library; 2,597,607 on the day of this number
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
-SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "shaders", "tests", "godot_project")
+SOURCES = ("SConstruct", "VERSION", "LICENSE", "CHANGELOG.md", "grass", "tools", "extension", "shaders", "tests", "godot_project")
 
 
 class Skip(Exception):

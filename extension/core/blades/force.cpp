@@ -86,6 +86,7 @@ ColliderShape Force::make_shape(int p_index) const {
 	shape.size = { reached, is_ring() ? 2.0 * radius : reached, reached };
 	shape.now.position = shape.before.position = place;
 	shape.force = p_index;
+	shape.air = float(std::abs(speed_now()) * (1.0 + swell()));
 	const bool is_steady = turbulence <= 0.0 && duration <= 0.0 && age >= 2.0 * RISE;
 	shape.revision = uint64_t(kind);
 	for (const double part : { speed, direction.x(), direction.y(), direction.z(), is_steady ? 0.0 : age }) {

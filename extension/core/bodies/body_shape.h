@@ -43,6 +43,7 @@ struct ColliderShape {
 	// The index in StepInput::forces if this is a force: then it wakes tiles as a body does, but touches nothing.
 	int force = NO_FORCE;
 	static constexpr int NO_FORCE = -1;
+	float air = 0.0f; // of a force: the speed of its air where it is strongest now, m/s
 	uint64_t revision = 0; // of a force: changes whenever it blows differently than in the step before
 	// While a caller keeps this the same, it guarantees that the whole collider is the same, and TileManager need not compare it again. 0:
 	// no guarantee.

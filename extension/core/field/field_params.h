@@ -23,6 +23,8 @@ struct FieldParams {
 
 	// Returns the time in which a swing dies down, in seconds, for the species that swings longest.
 	double calm_time() const;
+	// [Eq Q11] Returns the speed of air that bends the softest species' blades of p_length (metres) as far as their strains can tell, m/s.
+	double alone_air(double p_length) const;
 	// Returns the energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;
 	// Returns the energy of a blade of any species that is p_distance metres from rest at its tip alone, J/kg; the least of them.

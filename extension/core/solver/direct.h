@@ -195,24 +195,42 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 	}
 }
 
+// How blades take their step.
+template <class T> struct Plan {
+	Near<T> near;
+	T finer; // own_finer()
+	T parts; // [Eq 43]
+	MaskOf<T> is_buried, is_laid; // [Eq 46], [Eq 47]
+	MaskOf<T> stays; // where it is: it takes no solve
+};
+// p_fastest: how far the fastest knot moves in the step, metres.
+template <class T> GRASS_INLINE Plan<T> make_plan(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const T &p_fastest) {
+	Plan<T> plan;
+	plan.near = find_near(p_blade, p_terms);
+	plan.finer = own_finer(p_blade, p_terms);
+	const Burial<T> burial = find_burial(p_blade, p_terms, plan.finer);
+	plan.is_buried = plan.near.is_near & burial.is_buried;
+	plan.is_laid = plan.near.is_near & burial.is_laid;
+	plan.stays = (plan.is_buried & burial.is_slow) | plan.is_laid;
+	plan.parts = select(plan.stays, T(1.0f), count_parts(p_blade, p_terms, plan.near, p_fastest, plan.finer));
+	return plan;
+}
+
 // [Eq 22] A blade that something may touch takes one implicit Euler step, or several [Eq 43]; any other blade takes a step of second order.
 template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	using Mask = MaskOf<T>;
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const Near<T> near = find_near(r_blade, p_terms);
-	const T finer = own_finer(r_blade, p_terms);
-	const Burial<T> burial = find_burial(r_blade, p_terms, finer);
-	const Mask is_buried = near.is_near & burial.is_buried, is_laid = near.is_near & burial.is_laid;
-	const Mask stays = (is_buried & burial.is_slow) | is_laid;
-	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest, finer));
-	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near & !stays, is_free = !(is_near | is_in_parts | stays);
+	const Plan<T> plan = make_plan(r_blade, p_terms, fastest);
+	const T parts = plan.parts;
+	const Mask stays = plan.stays, is_in_parts = parts > T(1.5f), is_near = plan.near.is_near & !stays,
+			   is_free = !(is_near | is_in_parts | stays);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	Blade<T> parted;
 	if (any(is_in_parts)) {
 		parted = r_blade;
-		step_in_parts(parted, p_terms, chain, start, parts, finer, near.thin, is_buried);
+		step_in_parts(parted, p_terms, chain, start, parts, plan.finer, plan.near.thin, plan.is_buried);
 	}
 	const FreeStep<T> free = make_free_step(r_blade, p_terms, start);
 	const T euler_weight = T(1.0f) + p_terms.drag * seconds;
@@ -223,7 +241,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	stage.caution = select(is_free, T(0.0f), T(CAUTION));
 	stage.is_part = false;
 	stage.over_inertia = T(CONTACT_OVER_INERTIA);
-	stage.is_buried = is_buried;
+	stage.is_buried = plan.is_buried;
 	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
 	const Mask none = is_near & !is_near;
 	Hold<Mask> hold{ none, none, none, none };
@@ -262,7 +280,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);
 		}
 	}
-	return { hold.is_held, is_laid };
+	return { hold.is_held, plan.is_laid };
 }
 
 } // namespace grass

@@ -3,6 +3,7 @@
 // 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc. docs/internals/solver.md derives it.
 #pragma once
 
+#include "core/solver/blade_order.h"
 #include "core/solver/contact.h"
 #include "core/solver/direct.h"
 
@@ -75,6 +76,20 @@ template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const Step
 		is_resting = is_resting & passes_by(collider, extent, extent, longest * T(SKIN));
 	}
 	return is_resting;
+}
+
+// Returns the work that the step has with each blade, as core/solver/blade_order.h counts it.
+template <class T> GRASS_INLINE T find_work(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	const auto idle = is_idle(p_blade, p_terms);
+	const T work = select(idle, T(float(WORK_NONE)), T(float(WORK_FREE)));
+	if (!p_terms.is_direct || p_terms.colliders.empty() || !any(!idle)) {
+		return work;
+	}
+	T fastest;
+	make_start(p_blade, p_terms, fastest);
+	const Plan<T> plan = make_plan(p_blade, p_terms, fastest);
+	const auto is_near = (!idle) & (!plan.stays) & (plan.near.is_near | (plan.parts > T(1.5f)));
+	return work + select(is_near, plan.parts, T(0.0f));
 }
 
 // Restores idle blades, whatever rounding did to them while their neighbours moved.

@@ -20,6 +20,7 @@ TileParams TileParams::sanitised() const {
 	params.sleep_delay = limit_or(sleep_delay, 3600.0, defaults.sleep_delay);
 	params.sleep_energy = limit_or(sleep_energy, 1e6, defaults.sleep_energy);
 	params.alone_time = limit_or(alone_time, 1e6, defaults.alone_time);
+	params.alone_air = limit_or(alone_air, 1e6, defaults.alone_air);
 	params.settle_time = limit_or(settle_time, 60.0, defaults.settle_time);
 	params.still_delay = limit_or(still_delay, 3600.0, defaults.still_delay);
 	params.overhang = limit_or(overhang, 100.0, defaults.overhang);

@@ -35,6 +35,7 @@ struct TileParams {
 	// Seconds for which nothing was near a tile's blades, before they move by their strains. Less: they jump then, by more than a
 	// millimetre. More: they cost twice as much for longer.
 	double alone_time = 0.5;
+	double alone_air = 20.0; // Air that forces move faster than that bends blades more sharply than their strains can tell. m/s.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	// SleepMode::ENERGY: a tile on which nothing changed for this time is no longer simulated. Too short: blades stop while they still
 	// swing. Seconds.

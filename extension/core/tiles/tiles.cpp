@@ -126,7 +126,7 @@ size_t TileManager::get_memory_usage() const {
 		sets += set->get_memory_usage();
 	}
 	return sets + _detail.get_memory_usage() + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_blades) +
-			bytes(_entries) + bytes(_forces) + bytes(_bends) + bytes(_signatures) + bytes(_signatures_before) +
+			bytes(_entries) + bytes(_forces) + bytes(_air) + bytes(_bends) + bytes(_signatures) + bytes(_signatures_before) +
 			_slot_of_tile.get_memory_usage() + _meetings.get_memory_usage() + bytes(_given_slots) + bytes(_calm) + bytes(_yielding) +
 			bytes(_yielded) + bytes(_seen_worst) + bytes(_widened) + bytes(_followers) + bytes(_records) + _colliders.get_memory_usage() +
 			bytes(_collider_list);

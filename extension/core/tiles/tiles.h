@@ -118,7 +118,8 @@ private:
 		double stirred = 0.0; // the last step in which a collider moved in the tile, came or left
 		double calm_since = NEVER;
 		double simulated = 0.0; // a duration: how long the tile has been simulated since it was stirred
-		double chained = 0.0; // the last step in which something was near its blades, or not all of those that are drawn were simulated
+		// The last step with a collider or a storm in the tile, or in which not all of the blades that are drawn were simulated.
+		double chained = -NEVER;
 	};
 
 	// The motion of a tile.
@@ -208,6 +209,7 @@ private:
 	std::vector<Blades> _blades;
 	std::vector<uint32_t> _entries; // in this step: number of colliders; later the index in the collider list for the next one
 	std::vector<uint16_t> _forces; // in this step: bits of the forces that move the tile
+	std::vector<float> _air; // of these: the sum of their speeds, m/s
 	SlotSet _free, _used, _settling;
 	SlotSet _held; // in view, at the begin of a step in which slots are short; else empty
 	// Of this step: met by a collider; by one that moves, comes or has left; by none; awake since; not simulated, since calm and out of

@@ -78,6 +78,7 @@ void TileManager::set_room(int p_slots, std::vector<SlotMove> &r_moves) {
 	resize(_blades);
 	resize(_entries);
 	resize(_forces);
+	resize(_air);
 	resize(_signatures);
 	resize(_signatures_before);
 	resize(_records, 2);

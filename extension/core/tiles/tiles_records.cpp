@@ -27,10 +27,12 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max(), number = 0;
 	std::vector<TileMeetings::Meeting> &meetings = _meetings.get();
 	std::fill(_forces.begin(), _forces.end(), 0);
+	std::fill(_air.begin(), _air.end(), 0.0f);
 	for (const TileMeetings::Meeting &meeting : meetings) { // ascending by collider
 		const int slot = meeting.slot, force = p_colliders[meeting.collider].force;
 		if (force != ColliderShape::NO_FORCE) {
 			_forces[size_t(slot)] |= uint16_t(1u << force);
+			_air[size_t(slot)] += p_colliders[meeting.collider].air;
 		} else if (!_skipped.has(slot)) {
 			if (meeting.collider != last) {
 				last = meeting.collider;
@@ -44,12 +46,12 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_statistics.list_entries = int(kept);
 }
 
-// Returns whether the blades of a tile move by their strains: a chain that swings freely comes near to their few functions first.
-// p_colliders: in the tile.
+// Returns whether the blades of a tile move by their strains. A chain that a body has bent swings freely first, and so comes near to their
+// few functions; one that only a breeze has moved is near them from the start. p_colliders: in the tile.
 bool TileManager::is_alone(int p_slot, uint32_t p_colliders) {
 	const Blades &blades = _blades[size_t(p_slot)];
 	Times &times = _times[size_t(p_slot)];
-	if (p_colliders > 0 || _forces[size_t(p_slot)] != 0 || blades.drawn > blades.simulated || _fresh.has(p_slot)) {
+	if (p_colliders > 0 || blades.drawn > blades.simulated || double(_air[size_t(p_slot)]) > _params.alone_air) {
 		times.chained = _time;
 	}
 	return _time - times.chained > _params.alone_time;
