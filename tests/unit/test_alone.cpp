@@ -244,3 +244,30 @@ TEST_CASE("[Eq Q11] alone: in five scenes no blade jumps as its tile changes to 
 		check_scene(scene, 1, 200);
 	}
 }
+
+TEST_CASE("[Eq Q11] alone: a breeze moves blades by their strains from the second step on, a storm moves chains") {
+	for (const double speed : { 10.0, 60.0 }) {
+		PooledField field(scene_setup(false));
+		Force wind;
+		wind.kind = ForceKind::WIND;
+		wind.place = { 0.0, 0.3, 0.0 };
+		wind.speed = speed;
+		wind.radius = 3.0;
+		wind.duration = 0.0;
+		int woken = 0, alone = 0, chains = 0;
+		for (int tick = 0; tick < 40; tick++) {
+			wind.age = 1.0 + tick * SCENE_TICK; // it blows with all of its strength
+			field.tick(player_view({ 0.0f, 1.7f, 14.0f }), { wind.make_shape(0) }, { { wind } });
+			for (const GrassSlot &slot : field.records) {
+				const bool is_fresh = slot.list.w & GRASS_SLOT_FRESH, is_alone = slot.list.w & GRASS_SLOT_ALONE;
+				woken += is_fresh ? 1 : 0;
+				alone += !is_fresh && is_alone ? 1 : 0;
+				chains += !is_fresh && !is_alone ? 1 : 0;
+			}
+		}
+		CAPTURE(speed);
+		CHECK(woken > 20);
+		CHECK((alone > 0) == (speed < 20.0));
+		CHECK((chains > 0) == (speed > 20.0));
+	}
+}
