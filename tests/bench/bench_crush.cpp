@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How smoothly blades lie that a body crushes, and how surely they rise, by `iterations`: docs/decisions/0016 quotes it. A tile of 64
+// How smoothly blades lie that a body crushes, and how surely they rise, by `iterations`: docs/history/0016 quotes it. A tile of 64
 // blades, a body in 40 random places.
 #include "blade_scene.h"
 

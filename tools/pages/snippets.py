@@ -46,8 +46,8 @@ class Block:
 
 
 def pages():
-	"""Every Markdown page that a user reads."""
-	return [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
+	"""Every Markdown page that is kept up to date: not those of the history."""
+	return [*sorted(ROOT.glob("*.md")), *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.parent.name != "history")]
 
 
 def identifier(text):

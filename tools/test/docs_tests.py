@@ -25,7 +25,6 @@ COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re
 EMPTY = BUILD / "snippets_project"  # an empty project that has the add-on, where shell blocks run
 SHELL_LIMIT = 300  # seconds
 EQUATION = re.compile(r"\[Eq \w+\]|\$[^$`\n]+\$|\$\$")
-DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of docs/decisions, after its status
 
 
 def wrong_command(command, layers):
@@ -104,27 +103,6 @@ def wrong_checks(blocks):
 	checks = [name for text in texts for name in re.findall(r"^func (\w+)\(\) -> void:", text, re.MULTILINE)]
 	headers = [path.stem for path in PRELUDES.glob("*.h")]
 	return ", ".join(f"{key} is no block" for key in (*checks, *headers, *snippets.SKIPPED) if key not in known)
-
-
-def wrong_decisions():
-	"""Decisions that lack a part, or that the index does not list with their title and status."""
-	folder, wrong = ROOT / "docs/decisions", []
-	index = (folder / "README.md").read_text()
-	for path in sorted(folder.glob("[0-9]*.md")):
-		text = path.read_text()
-		number, title = re.match(r"# (\d+)\. (.+)", text).groups()
-		headings = re.findall(r"^## (.+)", text, re.MULTILINE)
-		if headings not in (DECISION, [*DECISION, "Alternatives"]):
-			wrong.append(f"{path.name}: its parts are {', '.join(headings)}")
-		status = re.search(r"^\*\*Status\.\*\* (Accepted|Superseded by)\b(.*?)\n\n", text, re.MULTILINE | re.DOTALL)
-		row = re.search(rf"^\| {number} \| \[{re.escape(title)}\]\({path.name}\) \| (.+) \|$", index, re.MULTILINE)
-		if not status or not row:
-			wrong.append(f"{path.name}: {'it has no status' if not status else 'it is not in the index by this title'}")
-			continue
-		named = [str(int(other)) for other in re.findall(r"\((\d{4})-[\w-]+\.md\)", status[2])]
-		if not row[1].lower().startswith(status[1].lower()) or re.findall(r"\d+", row[1]) != named:
-			wrong.append(f"{path.name}: the index says {row[1]}, the page {status[1]} {', '.join(named)}")
-	return "; ".join(wrong)
 
 
 def wrong_guide():
@@ -211,7 +189,6 @@ def run(only, layers):
 CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
 	"docs/members": members.wrong,
-	"docs/decisions": wrong_decisions,
 	"docs/guide has no equation": wrong_guide,
 	"docs/navigation of the site": wrong_navigation,
 	"docs/benchmarks": wrong_benchmarks,

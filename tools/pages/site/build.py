@@ -37,6 +37,11 @@ def as_python_markdown(text):
 	return "".join(parts)
 
 
+def without_links(match):
+	"""A link of a page of the history as text: only those to pages of the history are sure to lead somewhere."""
+	return match[0] if re.match(r"[\d-]+[\w-]*\.md", match[1]) else re.sub(r"^!?\[|\]\([^()]*\)$", "", match[0])
+
+
 def write_source():
 	"""Everything that MkDocs reads, in build/site_src."""
 	shutil.rmtree(SOURCE, ignore_errors=True)
@@ -45,6 +50,8 @@ def write_source():
 	shutil.copy(PROJECT / "addons/grass_field/icons/grass_field.svg", SOURCE / "assets/favicon.svg")
 	reference = classes.read_all()
 	told = mentions.Mentions(reference)
+	for path in sorted((SOURCE / "history").glob("0*.md")):
+		path.write_text(links.LINK.sub(without_links, path.read_text()))
 	for path in sorted(SOURCE.rglob("*.md")):
 		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(path.read_text())))
 	classes.write(reference, told, SOURCE / "classes")
