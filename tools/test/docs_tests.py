@@ -10,14 +10,13 @@ import shutil
 import subprocess
 
 from tools import command_line
-from tools.bench import accuracy, accuracy_page, bench_page, bench_tables, cost_table, drivers_page, machines_page, paper_page, solver_page
 from tools.build import binding
 from tools.fetch import machine, settle
-from tools.pages import links, prose, snippets
+from tools.pages import links, machines_page, prose, rules_page, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.release import store
 from tools.run import engine
-from tools.test import bench_tests, formatting, members, one_text, rooms
+from tools.test import formatting, members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -122,23 +121,6 @@ def wrong_navigation():
 	return ", ".join(str(page) for page in pages if str(page) not in named and f"{page.parent}/*" not in named)
 
 
-def wrong_benchmarks():
-	"""Pages of figures that differ from the set's tables, tables that no page names, and tables that a page shows without their commit."""
-	tables = bench_tables.Tables()
-	pages = {name: (bench_tables.FOLDER / name).read_text() for name in ("README.md", "paper.md", "accuracy.md", "solver.md")}
-	accurate = accuracy.read_table(bench_tables.FOLDER / "accuracy/accuracy.csv")
-	made = {
-		"README.md": bench_page.page(tables),
-		"paper.md": paper_page.page(tables),
-		"accuracy.md": accuracy_page.made(pages["accuracy.md"], *accurate),
-		"solver.md": solver_page.made(pages["solver.md"], tables),
-	}
-	stale = [f"{name} is not what its tables make: run `python3 -m tools.bench.new_set`" for name in made if pages[name] != made[name]]
-	unnamed = [f"no page names {path}: name it, or remove it" for path in bench_tables.unnamed()]
-	shown = [page for page in snippets.pages() if page.parent.name in ("benchmarks", "guide") or page.parent == ROOT]
-	return "; ".join([*stale, *unnamed, *bench_tables.without_commit(shown)])
-
-
 def run(only, layers):
 	"""Runs the whole layer. `layers`: names of all layers of tests."""
 	tally, in_godot = Tally(), []
@@ -191,11 +173,8 @@ CHECKED_PAGES = {
 	"docs/members": members.wrong,
 	"docs/guide has no equation": wrong_guide,
 	"docs/navigation of the site": wrong_navigation,
-	"docs/benchmarks": wrong_benchmarks,
-	"docs/costs": cost_table.wrong,
-	"docs/drivers": drivers_page.wrong,
+	"docs/rules for passes": rules_page.wrong,
 	"docs/machines": machines_page.wrong,
 	"docs/page of the store": store.wrong_or_blind,
-	**bench_tests.TESTS,
 }
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -29,7 +29,7 @@ KINDS = {
 	"shaders": (".glsl", ".inc", ".gdshader", ".gdshaderinc"),
 	"pages": (".md",),
 }
-FOLDERS = ("extension", "tests", "shaders", "godot_project", "tools", "docs")
+FOLDERS = ("extension", "tests", "shaders", "godot_project", "tools", "docs", "lab")
 LEFT_OUT = {"bin", ".godot", "__pycache__"}
 
 

@@ -21,7 +21,7 @@ PYTHON_MINIMUM = (3, 11)  # Material's
 
 
 def ensure_packages():
-	"""Installs the packages that build the site into .tools/pages/site."""
+	"""Installs the packages that build the site into .tools/site."""
 	if sys.version_info < PYTHON_MINIMUM:
 		raise Failure(f"The site needs Python {'.'.join(map(str, PYTHON_MINIMUM))} or newer; this is {sys.version.split()[0]}.")
 	pip_packages.ensure(HERE / "requirements.txt", PACKAGES, "what the site is built with")
@@ -37,9 +37,14 @@ def as_python_markdown(text):
 	return "".join(parts)
 
 
-def without_links(match):
-	"""A link of a page of the history as text: only those to pages of the history are sure to lead somewhere."""
-	return match[0] if re.match(r"[\d-]+[\w-]*\.md", match[1]) else re.sub(r"^!?\[|\]\([^()]*\)$", "", match[0])
+def on_site(text, is_history):
+	"""A page's text whose links out of the site are words: to the laboratory, and from pages of the history to anything but such pages."""
+
+	def link(match):
+		stays = re.match(r"\d{4}-[\w-]+\.md", match[1]) if is_history else not re.match(r"(?:\.\./)+lab/", match[1])
+		return match[0] if stays else re.sub(r"^!?\[|\]\([^()]*\)$", "", match[0])
+
+	return links.LINK.sub(link, text)
 
 
 def write_source():
@@ -50,10 +55,9 @@ def write_source():
 	shutil.copy(PROJECT / "addons/grass_field/icons/grass_field.svg", SOURCE / "assets/favicon.svg")
 	reference = classes.read_all()
 	told = mentions.Mentions(reference)
-	for path in sorted((SOURCE / "history").glob("0*.md")):
-		path.write_text(links.LINK.sub(without_links, path.read_text()))
 	for path in sorted(SOURCE.rglob("*.md")):
-		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(path.read_text())))
+		text = on_site(path.read_text(), path.parent.name == "history" and path.name != "README.md")
+		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(text)))
 	classes.write(reference, told, SOURCE / "classes")
 
 
