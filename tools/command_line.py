@@ -67,7 +67,7 @@ def parser():
 	build = commands.add_parser("build", help="build the extension")
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
 
-	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
+	commands.add_parser("format", help="format every source: C++, Python, GDScript")
 	tidy = commands.add_parser("tidy", help="clang-tidy over C++ sources")
 	tidy.add_argument("files", nargs="*", metavar="FILE", help="which (default: those of the extension, room by room)")
 	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")

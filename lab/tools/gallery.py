@@ -4,7 +4,6 @@
 import json
 import pathlib
 import subprocess
-import textwrap
 
 from tools.fetch import machine
 from lab.tools.film import FFMPEG
@@ -16,8 +15,10 @@ PICTURES = ROOT / "docs/images/conditions"
 WIDTH, QUALITY = 960, 6  # pixels; ffmpeg's scale, 2 is best
 KINDS = {"msaa": "4x MSAA", "taa": "TAA"}
 HEAD = """\
-The same grass in many lights and from many places, each with 4x MSAA (left) and with TAA (right). `./grass pictures --only gallery` made them on
-{device}, in Forward+ at 1920 x 1080. The folder `lab/project/demo/gallery/` defines the views. How light grass is at each distance was [measured](../../lab/results/light.md)."""
+The same grass in many lights and from many places, each with 4x MSAA (left) and with TAA (right).
+`./grass pictures --only gallery` made them on {device}, in Forward+ at 1920 x 1080.
+The folder `lab/project/demo/gallery/` defines the views. How light grass is at each distance was
+[measured](../../lab/results/light.md)."""
 
 
 def write_page(folder):
@@ -29,7 +30,7 @@ def write_page(folder):
 	about = json.loads((folder / "gallery.json").read_text())
 	PICTURES.mkdir(parents=True, exist_ok=True)
 	device = "software Vulkan" if "llvmpipe" in about["device"] else f"an {about['device']}"
-	lines = ["# Gallery", "", *textwrap.wrap(HEAD.format(device=device), 100), ""]
+	lines = ["# Gallery", "", HEAD.format(device=device), ""]
 	for view in about["views"]:
 		for kind in KINDS:
 			shrink(folder / f"{view['name']}_{kind}.jpg", PICTURES / f"{view['name']}_{kind}.jpg", WIDTH, QUALITY)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The layers `lab` and `drivers`, by name only: the laboratory's own tests. Nothing is measured."""
 
-from lab.tools import (
-	accuracy, accuracy_page, bench_page, bench_tables, bench_tests, cost_table, driver_tests, drivers_page, lab_project, paper_page, solver_page,
-)  # fmt: skip
+from lab.tools import accuracy, accuracy_page, bench_page, bench_tables, bench_tests, cost_table, driver_tests, drivers_page
+from lab.tools import lab_project, paper_page, solver_page
 from tools.pages import links
 from tools.places import ROOT
 from tools.run import engine

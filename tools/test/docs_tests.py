@@ -12,11 +12,11 @@ import subprocess
 from tools import command_line
 from tools.build import binding
 from tools.fetch import machine, settle
-from tools.pages import links, machines_page, prose, rules_page, snippets
+from tools.pages import links, machines_page, rules_page, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.release import store
 from tools.run import engine
-from tools.test import formatting, members, one_text, rooms
+from tools.test import members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -137,10 +137,6 @@ def run(only, layers):
 	for path in sorted((ROOT / ".github/workflows").glob("*.yml")):
 		if only in (name := f"docs/{path.relative_to(ROOT)} commands"):
 			noted(tally, name, wrong_workflow(path, layers))
-	for path in formatting.sources("pages"):
-		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
-			wide = ", ".join(map(str, prose.too_wide(path)))
-			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 	if only in (name := "docs/numbers stand once"):  # as architecture.md says
 		noted(tally, name, one_text.stated_twice())
 	blocks = snippets.find()
