@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The short table of costs in README.md and docs/guide/performance.md. lab/tools/new_set.py writes it.
+"""The short table of costs in docs/guide/performance.md. lab/tools/new_set.py writes it.
 
 It takes its figures from the tables that lab/results/README.md shows. The layer `lab` fails where a page has other figures.
 """
@@ -14,7 +14,7 @@ from lab.tools.paper_rows import pick
 from tools.pages.tables import grid
 from tools.places import ROOT
 
-PAGES = (ROOT / "README.md", ROOT / "docs/guide/performance.md")
+PAGES = (ROOT / "docs/guide/performance.md",)
 TABLE = re.compile(r"(<!-- table costs -->\n).*?(<!-- end -->)", re.DOTALL)
 AWAKE = 65536  # blades that a small crowd keeps awake
 DRAWN = (1048576, 16777216)

@@ -3,6 +3,7 @@
 
 from lab.tools import accuracy, accuracy_page, bench_page, bench_tables, bench_tests, cost_table, driver_tests, drivers_page
 from lab.tools import lab_project, paper_page, solver_page
+from lab.tools.paper_rows import ms, pick
 from tools.pages import links
 from tools.places import ROOT
 from tools.run import engine
@@ -26,6 +27,31 @@ def wrong_pages():
 	return "; ".join([*stale, *unnamed, *bench_tables.without_commit(shown)])
 
 
+def wrong_readme():
+	"""Figures that README.md should name, by the tables of the set, and does not."""
+	tables = bench_tables.Tables()
+	rivals = pick(tables.rows("paper_rivals"), outcome="ok")
+
+	def frame(kind, blades, view, *shadows):
+		rows = [pick(rivals, kind=kind, blades=blades, view=view, shadows=one)[0] for one in shadows]
+		return " / ".join(f"{ms(row):.1f}" for row in rows)
+
+	both, million = ("off", "on"), 1048576
+	thrown = pick(tables.rows("detail"), detail="seen", seconds=3)[0]
+	rest = {row["field"]: float(row["wall_ms"]) for row in tables.rows("rest")}
+	told = " ".join((ROOT / "README.md").read_text().split())
+	named = [
+		f"{frame('field', million, 'eye', *both)} ms | {frame('multimesh 7', million, 'eye', *both)} ms as one MultiMesh",
+		f"{float(thrown['simulate_ms']):.1f} ms on the GPU, {float(thrown['management_ms']):.1f} ms on the processor",
+		f"added to a frame | {max(0.0, rest['hidden'] - rest['nothing']):.1f} ms",
+		f"{frame('rings', 262144, 'eye', 'off')} against {frame('field', 262144, 'eye', 'off')} ms for 262,144 blades",
+		f"{frame('rings', million, 'above', *both)} against {frame('field', million, 'above', *both)} ms for a million",
+		f"take {frame('rings', million, 'eye', *both)} ms its way",
+		f"Of commit {tables.commit}",
+	]
+	return "; ".join(f"it lacks {text!r}" for text in named if text not in told)
+
+
 def wrong_links():
 	return "; ".join(f"{page.name}: {text}" for page in sorted((ROOT / "lab").rglob("*.md")) for text in links.wrong_in_page(page))
 
@@ -34,6 +60,7 @@ CHECKS = {
 	"lab/pages": wrong_pages,
 	"lab/links": wrong_links,
 	"lab/costs": cost_table.wrong,
+	"lab/README": wrong_readme,
 	"lab/drivers": drivers_page.wrong,
 	**bench_tests.TESTS,
 }
