@@ -17,19 +17,12 @@ def dispatch(options):
 		trial.compare(options.zips) if options.compare else trial.run_all(options.zips[0], options.out, options.driver, options.picture)
 		return 0
 	from tools.build import build
-	from tools.pages import film
 	from tools.release import export
 	from tools.run import scenes
 	from tools.test import testing  # here, so that the explanation appears at once
 
-	if options.command == "demo" and options.video:
-		film.record(options.out) if not options.recorded else film.encode(options.recorded)
-	elif options.command == "demo":
+	if options.command == "demo":
 		scenes.demo(options.place, options.out, options.size, options.method)
-	elif options.command == "gallery":
-		from tools.pages import gallery
-
-		gallery.write_page(options.page) if options.page else gallery.render(options.out, options.only)
 	elif options.command == "pictures":
 		pictures(options)
 	elif options.command == "bench":
@@ -75,11 +68,10 @@ def dispatch(options):
 
 
 def pictures(options):
-	from tools.pages import pictures
-	from tools.release import export
+	from lab.tools import pack, pictures
 
 	if options.pack:
-		export.pictures(options.pack, pictures.listing())
+		pack.pictures(options.pack, pictures.listing())
 	elif options.put:
 		pictures.put(options.put, options.only)
 	else:
@@ -88,8 +80,7 @@ def pictures(options):
 
 def bench(options):
 	"""Returns the exit code."""
-	from tools.bench import bench_all, driver_figures, drivers_page
-	from tools.release import export
+	from lab.tools import bench_all, driver_figures, drivers_page, pack
 	from tools.test import testing
 
 	if options.what == "stress":
@@ -98,7 +89,7 @@ def bench(options):
 		if driver_figures.run(options.out, options.only):
 			drivers_page.write()
 	elif options.what == "pack":
-		export.benchmark(options.out or OUT / "bench_pack", bench_all.times())
+		pack.benchmark(options.out or OUT / "bench_pack", bench_all.times())
 	elif options.list:
 		bench_all.show_list()
 	else:

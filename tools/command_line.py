@@ -6,16 +6,15 @@ import argparse
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, levels, walk, presets, pairs) and prints where its pictures are
-  ./grass gallery  renders the same grass in many lights
-  ./grass pictures records all pictures of the docs that a GPU draws
+  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, levels, walk, presets) and prints where its pictures are
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass format   formats every source
   ./grass tidy     looks for mistakes in the C++ sources
   ./grass debug    opens the tests in gdb, with a library that can be debugged
   ./grass editor   opens that project in the engine's editor
-  ./grass bench    runs the benchmarks, of the core and in the engine
+  ./grass bench    runs the benchmarks (lab/README.md)
+  ./grass pictures records the pictures of the docs, the film and the gallery (lab/README.md)
   ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
   ./grass csharp OUT   writes the C# wrappers, which releases have in addons/grass_field/csharp
@@ -29,7 +28,7 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 """
 
 
-DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk", "pairs")
+DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
 BENCHMARKS = """all (default): every part that a page shows, each once; a second start goes on where the first was. stress: only the stress
 	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another
 	machine's GPU needs, into --out"""
@@ -49,17 +48,9 @@ def parser():
 	)
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
-	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
-	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/frames, recorded on another machine's GPU")
-
-	gallery = commands.add_parser("gallery", help="render the same grass in many lights, into out/gallery")
-	gallery.add_argument("--out", default=None, metavar="DIR", help="folder for the pictures (default: out/gallery)")
-	gallery.add_argument("--only", default="", metavar="VIEW", help="only this view")
-	gallery.add_argument("--page", metavar="DIR", help="instead, make the page of the docs from the pictures in DIR")
-
 	pictures = commands.add_parser("pictures", help="record the pictures of the docs, into out/pictures")
 	pictures.add_argument("--out", default=None, metavar="DIR", help="folder for the recordings (default: out/pictures)")
-	pictures.add_argument("--only", default="", metavar="NAME,...", help="only these; tools/pages/pictures.py lists them")
+	pictures.add_argument("--only", default="", metavar="NAME,...", help="only these; lab/tools/pictures.py lists them")
 	pictures.add_argument("--pack", metavar="DIR", help="instead, put everything into DIR that another machine's GPU needs to record them")
 	pictures.add_argument("--put", metavar="DIR", help="instead, make docs/images of what was recorded in DIR")
 
@@ -76,7 +67,7 @@ def parser():
 	build = commands.add_parser("build", help="build the extension")
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
 
-	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
+	commands.add_parser("format", help="format every source: C++, Python, GDScript")
 	tidy = commands.add_parser("tidy", help="clang-tidy over C++ sources")
 	tidy.add_argument("files", nargs="*", metavar="FILE", help="which (default: those of the extension, room by room)")
 	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")

@@ -93,7 +93,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["free_tile_steps"] = backend.free_tile_steps;
 	result["workgroups"] = backend.workgroups;
 	result["crowd_tile_steps"] = backend.crowd_tile_steps;
-	result["timed_steps"] = backend.timed_steps;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;
 	result["knot_waits"] = backend.knot_waits;
@@ -113,7 +112,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["left_out_shadow_tiles"] = backend.left_out_tiles[1];
 	result["gather_ms"] = p_statistics.gather_ms;
 	result["tiles_ms"] = p_statistics.tiles_ms;
-	result["plants_ms"] = p_statistics.plants_ms;
 	result["upload_ms"] = backend.upload_ms;
 	result["frame_ms"] = p_statistics.frame_ms;
 	result["build_ms"] = p_statistics.build_ms;

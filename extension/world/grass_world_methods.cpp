@@ -60,6 +60,7 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	Dictionary sum = to_dictionary(CutResult());
 	GRASS_MAIN_THREAD_ONLY_V(sum);
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), sum, vformat("%s: cut() needs a finite transform.", label()));
 	double area = 0.0;
 	for (const PlotKey &key : _plots.get_standing()) {
 		area += _plots.find(key) != nullptr ? _plots.find(key)->find_area(p_shape, p_transform) : 0.0;

@@ -207,6 +207,31 @@ TEST_CASE("recovery: species are asked for where grass is trampled only, once a 
 	CHECK(worn > 8);
 }
 
+TEST_CASE("recovery: grass that is trampled once more heals as slowly as the first time") {
+	PaintMap map = meadow();
+	REQUIRE(map.set_code(MAP_TINT, 0, 1, 1, 5)); // a chunk stays when it has healed
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	const Eigen::Vector2d place(30.0, 10.0);
+	const auto trample = [&] { apply_brush(map, MapShape::stroke(place, place, 2.0, 1.0, Falloff::LINEAR), brush); };
+	Recovery recovery;
+	const auto wait = [&](double p_seconds) {
+		for (int step = 0; step < int(p_seconds * 60.0); step++) {
+			recovery.step(map, square(64.0).rectangle, KIND, { { 0.5 }, 0.0 }, 1.0 / 60.0);
+		}
+	};
+	trample();
+	wait(3.0);
+	CHECK(map.sample(MAP_WEAR, 0, place) == 0.0);
+	map.compact();
+	wait(10.0);
+	trample();
+	wait(0.1);
+	CHECK(map.sample(MAP_WEAR, 0, place) > 0.9);
+	wait(3.0);
+	CHECK(map.sample(MAP_WEAR, 0, place) == 0.0);
+}
+
 TEST_CASE("recovery: time heals at the rate it is told, however many chunks there are, and one chunk a step") {
 	PaintMap map = meadow();
 	Brush brush;

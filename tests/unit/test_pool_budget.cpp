@@ -120,6 +120,20 @@ TEST_CASE("pool budget: of too few, a field near the camera takes those of one f
 	CHECK(budget.get_shares() == shares);
 }
 
+TEST_CASE("pool budget: what another field has not given back yet is granted to nobody") {
+	PoolBudget budget(100);
+	Lawn far(budget, 30), near(budget, 5);
+	far.tick(100);
+	near.tick(70);
+	near.tick(70); // its share, but the other one ticks later
+	CHECK(near.used == 0);
+	CHECK(budget.get_used() == 100);
+	far.tick(100);
+	near.tick(70);
+	CHECK(near.used == 70);
+	CHECK(budget.get_used() == 100);
+}
+
 TEST_CASE("pool budget: a field that leaves gives back what it had, and fewer slots hold soon") {
 	PoolBudget budget(100);
 	Lawn one(budget);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The demands that a compute pass may make, so that each of Godot's drivers accepts it. The build refuses a pass that demands more.
 
-docs/internals/drivers.md shows the same table; tests/driver_compilers/rules/ has a pass that breaks each rule.
+docs/internals/drivers.md shows the same table; tests/passes/rules/ has a pass that breaks each rule.
 """
 
 from dataclasses import dataclass

@@ -3,21 +3,16 @@
 
 import pathlib
 import re
-import shutil
 import subprocess
-import tarfile
 
 from tools.build import build
 from tools.fetch import machine
-from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT
+from tools.places import PROJECT
 from tools.run import engine
 from tools.say import Failure, progress, say
 
 PRESET = "Linux"  # in godot_project/export_presets.cfg
 TESTS_PRESET = "Tests"  # the same, but that res://tests/runner.tscn is the main scene
-BENCH_PRESET = "Benchmark"  # the same, but that res://bench/bench.tscn is the main scene
-ALL_PARTS = ROOT / "tools/bench/all.sh"
-RECORD_ALL = ROOT / "tools/pages/pictures.sh"
 NAME = "grass_field"
 KINDS = ("debug", "release")
 
@@ -50,60 +45,10 @@ def export(out, debug, tests=False):
 	say("Debian's template needs Debian's libraries: elsewhere, put a template of your own in the place of " + NAME)
 
 
-def pack(how, preset, file, pck):
+def pack(how, preset, file, pck, project=PROJECT):
 	output = []
 	command, environment = engine.headless()
 	with progress("Packing the project"):
-		code = engine.run([*command, "--path", str(PROJECT), how, preset, str(file)], environment, output.append)
+		code = engine.run([*command, "--path", str(project), how, preset, str(file)], environment, output.append)
 	if code or not pck.exists():
 		raise Failure("The engine could not pack the project:\n" + "\n".join(output[-30:]))
-
-
-def benchmark(out, times):
-	"""Exports everything that another machine's GPU needs for the benchmarks: OUT/bench.pck, the library, shaders, recorded problems, and
-	all.sh, which runs the parts. `times`: seconds that they took, by name."""
-	from tools.bench import accuracy, commits, parts
-
-	folder = pathlib.Path(out).resolve()
-	build.scons("extension", "accuracy")
-	engine.import_project()
-	folder.mkdir(parents=True, exist_ok=True)
-	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
-	add(folder, [*(BUILD / "bench").glob("*.spv"), ALL_PARTS])
-	accuracy.record(folder / "packs", False)
-	(folder / "commit").write_text(commits.measured() + "\n")
-	(folder / "parts").write_text("\n".join([*parts.listing(times), ""]))
-	say(f"Packed, commit {commits.measured()}:")
-	carry(folder)
-	say("docs/benchmarks/HOWTO.md describes how to run it: all.sh SECONDS OUT")
-
-
-def pictures(out, recordings):
-	"""Exports everything that another machine's GPU needs for the pictures of the docs: OUT/demo.pck, the library, the list `recordings`,
-	and pictures.sh, which takes them."""
-	folder = pathlib.Path(out).resolve()
-	build.scons("extension")
-	engine.import_project()
-	folder.mkdir(parents=True, exist_ok=True)
-	pack("--export-pack", PRESET, folder / "demo.pck", folder / "demo.pck")
-	add(folder, [RECORD_ALL])
-	(folder / "recordings").write_text("\n".join([*recordings, ""]))
-	carry(folder)
-	say("There: pictures.sh RECORDED, and then here: ./grass pictures --put RECORDED")
-
-
-def add(folder, files):
-	"""Copies the library and `files` into a pack."""
-	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
-	for file in [*libraries, *files]:
-		shutil.copy(file, folder)
-	if strip := shutil.which("strip"):  # less to carry
-		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
-
-
-def carry(folder):
-	carried = folder.with_name(f"{folder.name}.tar.xz")
-	with tarfile.open(carried, "w:xz") as archive:
-		archive.add(folder, folder.name)
-	say(f"{', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}")
-	say(f"To carry: {carried}, {carried.stat().st_size / 1e6:.1f} MB")

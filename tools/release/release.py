@@ -157,9 +157,9 @@ def addon(libraries):
 
 
 def demo():
-	"""Path -> bytes of the demo's project without the add-on: neither tests nor benchmarks."""
+	"""Path -> bytes of the demo's project without the add-on: without tests."""
 	project = (PROJECT / "project.godot").read_text()
-	project = re.sub(r"^run/main_scene\.(bench|tests)=.*\n", "", project, flags=re.MULTILINE)
+	project = re.sub(r"^run/main_scene\.tests=.*\n", "", project, flags=re.MULTILINE)
 	return {**files_in(PROJECT / "demo"), "project.godot": project.encode(), "LICENSE": (ROOT / "LICENSE").read_bytes()}
 
 

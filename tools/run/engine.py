@@ -117,10 +117,10 @@ def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT, 
 		process.wait()
 
 
-def project_state():
-	"""The files on which the engine's import depends: every source file of the project, by time and size."""
+def project_state(project):
+	"""The files on which the engine's import depends: every source file of a project, by time and size."""
 	parts = []
-	for folder, folders, names in os.walk(PROJECT):
+	for folder, folders, names in os.walk(project):
 		folders[:] = sorted(name for name in folders if name not in (".godot", "bin"))
 		for name in sorted(names):
 			if not name.endswith((".import", ".uid")):
@@ -129,22 +129,21 @@ def project_state():
 	return "\n".join([machine.godot(), *parts])
 
 
-def import_project():
-	"""Lets the engine scan the project's files and import those that changed since the last time."""
-	stamp = BUILD / "imported"
-	extensions = PROJECT / ".godot/extension_list.cfg"
-	state = project_state()
+def import_project(project=PROJECT):
+	"""Lets the engine scan a project's files and import those that changed since the last time."""
+	stamp = project / ".godot/imported_state"
+	extensions = project / ".godot/extension_list.cfg"
+	state = project_state(project)
 	if extensions.exists() and stamp.exists() and stamp.read_text() == state:
 		return
 	if not extensions.exists():  # the engine would find it only after it has read the scripts that use it
 		extensions.parent.mkdir(exist_ok=True)
-		found = sorted(file.relative_to(PROJECT).as_posix() for file in PROJECT.rglob("*.gdextension"))
+		found = sorted(file.relative_to(project).as_posix() for file in project.rglob("*.gdextension"))
 		extensions.write_text("".join(f"res://{file}\n" for file in found))
 	output = []
 	command, environment = headless()
 	with progress("Importing the project"):
-		code = run([*command, "--path", str(PROJECT), "--import"], environment, output.append)
+		code = run([*command, "--path", str(project), "--import"], environment, output.append)
 	if code:
 		raise Failure("The engine could not import the project:\n" + "\n".join(output[-30:]))
-	BUILD.mkdir(exist_ok=True)
 	stamp.write_text(state)

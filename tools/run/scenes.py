@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs the scenes that a person looks at: the demo, the benchmark, the editor."""
+"""Runs the scenes that a person looks at: the demo, the editor."""
 
 import os
 import pathlib

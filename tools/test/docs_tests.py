@@ -10,14 +10,13 @@ import shutil
 import subprocess
 
 from tools import command_line
-from tools.bench import accuracy, accuracy_page, bench_page, bench_tables, cost_table, drivers_page, machines_page, paper_page, solver_page
 from tools.build import binding
 from tools.fetch import machine, settle
-from tools.pages import links, prose, snippets
+from tools.pages import links, machines_page, rules_page, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.release import store
 from tools.run import engine
-from tools.test import bench_tests, formatting, members, one_text, rooms
+from tools.test import members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -25,7 +24,6 @@ COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re
 EMPTY = BUILD / "snippets_project"  # an empty project that has the add-on, where shell blocks run
 SHELL_LIMIT = 300  # seconds
 EQUATION = re.compile(r"\[Eq \w+\]|\$[^$`\n]+\$|\$\$")
-DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of docs/decisions, after its status
 
 
 def wrong_command(command, layers):
@@ -106,27 +104,6 @@ def wrong_checks(blocks):
 	return ", ".join(f"{key} is no block" for key in (*checks, *headers, *snippets.SKIPPED) if key not in known)
 
 
-def wrong_decisions():
-	"""Decisions that lack a part, or that the index does not list with their title and status."""
-	folder, wrong = ROOT / "docs/decisions", []
-	index = (folder / "README.md").read_text()
-	for path in sorted(folder.glob("[0-9]*.md")):
-		text = path.read_text()
-		number, title = re.match(r"# (\d+)\. (.+)", text).groups()
-		headings = re.findall(r"^## (.+)", text, re.MULTILINE)
-		if headings not in (DECISION, [*DECISION, "Alternatives"]):
-			wrong.append(f"{path.name}: its parts are {', '.join(headings)}")
-		status = re.search(r"^\*\*Status\.\*\* (Accepted|Superseded by)\b(.*?)\n\n", text, re.MULTILINE | re.DOTALL)
-		row = re.search(rf"^\| {number} \| \[{re.escape(title)}\]\({path.name}\) \| (.+) \|$", index, re.MULTILINE)
-		if not status or not row:
-			wrong.append(f"{path.name}: {'it has no status' if not status else 'it is not in the index by this title'}")
-			continue
-		named = [str(int(other)) for other in re.findall(r"\((\d{4})-[\w-]+\.md\)", status[2])]
-		if not row[1].lower().startswith(status[1].lower()) or re.findall(r"\d+", row[1]) != named:
-			wrong.append(f"{path.name}: the index says {row[1]}, the page {status[1]} {', '.join(named)}")
-	return "; ".join(wrong)
-
-
 def wrong_guide():
 	"""Pages of the guide with an equation: those are for docs/internals."""
 	wrong = []
@@ -142,23 +119,6 @@ def wrong_navigation():
 	named = (ROOT / "tools/pages/site/mkdocs.yml").read_text().partition("\nnav:\n")[2]
 	pages = [page.relative_to(docs) for page in sorted(docs.rglob("*.md"))]
 	return ", ".join(str(page) for page in pages if str(page) not in named and f"{page.parent}/*" not in named)
-
-
-def wrong_benchmarks():
-	"""Pages of figures that differ from the set's tables, tables that no page names, and tables that a page shows without their commit."""
-	tables = bench_tables.Tables()
-	pages = {name: (bench_tables.FOLDER / name).read_text() for name in ("README.md", "paper.md", "accuracy.md", "solver.md")}
-	accurate = accuracy.read_table(bench_tables.FOLDER / "accuracy/accuracy.csv")
-	made = {
-		"README.md": bench_page.page(tables),
-		"paper.md": paper_page.page(tables),
-		"accuracy.md": accuracy_page.made(pages["accuracy.md"], *accurate),
-		"solver.md": solver_page.made(pages["solver.md"], tables),
-	}
-	stale = [f"{name} is not what its tables make: run `python3 -m tools.bench.new_set`" for name in made if pages[name] != made[name]]
-	unnamed = [f"no page names {path}: name it, or remove it" for path in bench_tables.unnamed()]
-	shown = [page for page in snippets.pages() if page.parent.name in ("benchmarks", "guide") or page.parent == ROOT]
-	return "; ".join([*stale, *unnamed, *bench_tables.without_commit(shown)])
 
 
 def run(only, layers):
@@ -177,10 +137,6 @@ def run(only, layers):
 	for path in sorted((ROOT / ".github/workflows").glob("*.yml")):
 		if only in (name := f"docs/{path.relative_to(ROOT)} commands"):
 			noted(tally, name, wrong_workflow(path, layers))
-	for path in formatting.sources("pages"):
-		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
-			wide = ", ".join(map(str, prose.too_wide(path)))
-			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 	if only in (name := "docs/numbers stand once"):  # as architecture.md says
 		noted(tally, name, one_text.stated_twice())
 	blocks = snippets.find()
@@ -211,14 +167,10 @@ def run(only, layers):
 CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
 	"docs/members": members.wrong,
-	"docs/decisions": wrong_decisions,
 	"docs/guide has no equation": wrong_guide,
 	"docs/navigation of the site": wrong_navigation,
-	"docs/benchmarks": wrong_benchmarks,
-	"docs/costs": cost_table.wrong,
-	"docs/drivers": drivers_page.wrong,
+	"docs/rules for passes": rules_page.wrong,
 	"docs/machines": machines_page.wrong,
 	"docs/page of the store": store.wrong_or_blind,
-	**bench_tests.TESTS,
 }
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """`./grass format` formats every source, and the layer `format` fails on those that it would change.
 
-C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat; comments and
-pages wrapped by tools/pages/prose.py. Shaders have no formatter: spaces, indentation and width are checked. So are texts
-beyond ASCII (encodings.py), what GCC does wrong on Windows (windows_rules.py), and threads of our own (thread_rules.py).
+C++ by the clang-format of Debian 12, so that everyone's is the same; Python by ruff, GDScript by gdformat. Shaders have
+no formatter: spaces and indentation are checked. So are the width of all sources, texts beyond ASCII (encodings.py), what
+GCC does wrong on Windows (windows_rules.py), and threads of our own (thread_rules.py).
 """
 
 import os
@@ -15,7 +15,6 @@ import sys
 from tools.build.toolchains import CLANG
 from tools.fetch import machine, pip_packages
 from tools.fetch.roots import CROSS
-from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure
 from tools.test import encodings, thread_rules, windows_rules, workflows
@@ -27,10 +26,11 @@ KINDS = {
 	"python": (".py",),
 	"gdscript": (".gd",),
 	"shaders": (".glsl", ".inc", ".gdshader", ".gdshaderinc"),
-	"pages": (".md",),
 }
-FOLDERS = ("extension", "tests", "shaders", "godot_project", "tools", "docs")
+FOLDERS = ("extension", "tests", "shaders", "godot_project", "tools", "docs", "lab")
 LEFT_OUT = {"bin", ".godot", "__pycache__"}
+WIDTH, TAB = 140, 4  # of a line of a source, and of a tab in it
+TEXT = re.compile(r"""(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])""")
 
 
 def sources(kind):
@@ -82,7 +82,7 @@ def named(said, paths):
 def formatters():
 	"""For each kind: the command that formats, and the one that names files that are not formatted."""
 	clang, ruff = clang_format(), [str(PACKAGES / "bin/ruff"), "format"]
-	gdformat = [sys.executable, "-m", "gdtoolkit.formatter", f"--line-length={prose.SOURCE_WIDTH}"]
+	gdformat = [sys.executable, "-m", "gdtoolkit.formatter", f"--line-length={WIDTH}"]
 	return {
 		"cpp": ([clang, "-i"], [clang, "--dry-run", "-Werror"]),
 		"python": (ruff, [*ruff, "--check"]),
@@ -90,16 +90,21 @@ def formatters():
 	}
 
 
+def too_wide(path):
+	"""The numbers of lines that are too wide. String literals do not count: a message is easier to find in one piece."""
+
+	def width(line):
+		return len((line if line.lstrip().startswith('"""') else TEXT.sub('""', line)).expandtabs(TAB))
+
+	return [number for number, line in enumerate(path.read_text().split("\n"), 1) if width(line) > WIDTH]
+
+
 def plain_wrong(path):
 	"""What is wrong with the spaces and the width of a source, as texts."""
 	lines = path.read_text().split("\n")
 	wrong = [f"{number}: ends with a space" for number, line in enumerate(lines, 1) if line != line.rstrip()]
 	wrong += [f"{number}: indented with spaces" for number, line in enumerate(lines, 1) if re.match(r" +[^ *]", line)]
-	wrong += [
-		f"{number}: wider than {prose.SOURCE_WIDTH}"
-		for number, line in enumerate(lines, 1)
-		if len(line.expandtabs(prose.TAB)) > prose.SOURCE_WIDTH
-	]
+	wrong += [f"{number}: wider than {WIDTH}" for number, line in enumerate(lines, 1) if len(line.expandtabs(TAB)) > WIDTH]
 	return wrong if lines[-1] == "" else [*wrong, f"{len(lines)}: no newline at the end"]
 
 
@@ -110,7 +115,7 @@ def check(kind):
 		return [f"{path.relative_to(ROOT)}:{text}" for path in paths for text in plain_wrong(path)]
 	said, good = run(formatters()[kind][1], [path.relative_to(ROOT) for path in paths])
 	wrong = [f"{path} is not formatted" for path in named(said, paths)]
-	wide = [f"{path.relative_to(ROOT)}:{line}: wider than {prose.SOURCE_WIDTH}" for path in paths for line in prose.too_wide(path)]
+	wide = [f"{path.relative_to(ROOT)}:{line}: wider than {WIDTH}" for path in paths for line in too_wide(path)]
 	if not good and not wrong:
 		wrong = [f"the formatter failed: {said[-500:]}"]
 	return wrong + wide
@@ -127,7 +132,7 @@ def lint():
 def layer(only, tally):
 	"""The layer `format`: a test for each kind of source, and for what no source may do. Returns `tally`."""
 	ensure()
-	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS if kind != "pages"}
+	checks = {kind: lambda kind=kind: check(kind) for kind in KINDS}
 	for name, wrong in {
 		**checks,
 		"lint": lint,
@@ -154,9 +159,3 @@ def format_all():
 		said, good = run(command, [path.relative_to(ROOT) for path in sources(kind)])
 		if not good:
 			raise Failure(f"Formatting {kind} failed:\n{said[-2000:]}")
-	for kind in KINDS:
-		for path in sources(kind):
-			before = path.read_text()
-			after = prose.page(before) if kind == "pages" else prose.comments(before, path.suffix)
-			if after != before:
-				path.write_text(after)

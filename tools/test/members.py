@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Finds members of the extension's classes that point to an engine object. Part of the layer `docs`.
 
-Scripts free engine objects whenever they are called (docs/decisions/0055), so a member holds an instance id, or a Ref of what counts its
+Scripts free engine objects whenever they are called (docs/history/0055), so a member holds an instance id, or a Ref of what counts its
 references. ALLOWED lists the others with the reason why each is safe. It may only become shorter.
 """
 

@@ -16,10 +16,10 @@ from tools.test import (
 	binding_tests,
 	csharp_tests,
 	docs_tests,
-	driver_tests,
 	drivers,
 	formatting,
 	lacking,
+	pass_rules,
 	quitting,
 	sanitize,
 	side_by_side,
@@ -122,6 +122,13 @@ def editor(only):
 	return tally
 
 
+def laboratory():
+	"""Imported here: nothing else of the house knows it."""
+	from lab.tools import lab_tests
+
+	return lab_tests
+
+
 def on_screen(layers, hardware):
 	"""Everything that drawing layers need."""
 	software = {"gpu", "validation", "editor", "release", "sanitize", "drivers"} & set(layers) - ({"gpu"} if hardware else set())
@@ -152,8 +159,9 @@ LAYERS = {
 	"headless": Layer(lambda only, _: headless(only), minutes=3.3),
 	"docs": Layer(lambda only, _: docs_tests.run(only, LAYERS), minutes=0.2),
 	"csharp": Layer(lambda only, _: csharp_tests.layer(only), minutes=0.3),
-	"drivers-quick": Layer(lambda only, _: driver_tests.run_quick(only), "shaders", minutes=0.5),
-	"drivers": Layer(lambda only, _: driver_tests.run(only), in_all=False),
+	"passes": Layer(lambda only, _: pass_rules.run(only), None, minutes=0.1),
+	"lab": Layer(lambda only, _: laboratory().run(only), in_all=False),
+	"drivers": Layer(lambda only, _: laboratory().run_drivers(only), in_all=False),
 	"gpu": Layer(gpu, minutes=9.1),
 	"validation": Layer(lambda only, _: validation.layer(only, Tally()), minutes=0.7),
 	"editor": Layer(lambda only, _: editor(only), minutes=2.6),

@@ -157,7 +157,7 @@ def symbols_find_their_library(sources):
 
 def demo_is_whole(_sources):
 	_, files = names_in("demo-")
-	strangers = [name for name in files if name.startswith(("tests/", "bench/", ".godot/"))]
+	strangers = [name for name in files if name.startswith(("tests/", "lab/", ".godot/"))]
 	check(not strangers, f"{strangers} are no part of the demo")
 	texts = {name: data.decode() for name, data in files.items() if name.endswith((".gd", ".tscn", ".tres", ".godot"))}
 	for name, text in texts.items():

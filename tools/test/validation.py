@@ -28,7 +28,7 @@ khronos_validation.syncval_shader_accesses_heuristic = true
 khronos_validation.syncval_message_extra_properties = true
 """
 # Properties of a message, and its binding: the layer does not know which slots a dispatch writes, see
-# docs/decisions/0019-dispatches-without-barriers.md.
+# docs/history/0019-dispatches-without-barriers.md.
 FALSE_ALARM = {
 	"hazard_type": "WRITE_AFTER_WRITE", "command": "vkCmdDispatch", "prior_command": "vkCmdDispatch", "write_barriers": "0",
 	"prior_access": "VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT(VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT)",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## What this machine makes of the grass, in three minutes: B in the demo or the walk begins it, or `-- --place benchmark` behind the
-## program's name. It ends with a file, and with a text in the clipboard to paste into a report (docs/benchmarks/machines.md). Esc ends it.
+## program's name. It ends with a file, and with a text in the clipboard to paste into a report (docs/guide/machines.md). Esc ends it.
 ##   --out DIR      writes the files there and ends the program
 extends Node3D
 

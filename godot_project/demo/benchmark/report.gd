@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The text that a player pastes into a report, and the file that tools read (tools/bench/machines_page.py).
+## The text that a player pastes into a report, and the file that tools read (tools/pages/machines_page.py).
 extends RefCounted
 
 const Parts := preload("res://demo/benchmark/parts.gd")

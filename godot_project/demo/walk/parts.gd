@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## Measures the walk on this GPU: the time to draw a frame, whole and with one part left out at a time. Started with
-## `-- --parts FILE`, which is written as CSV (docs/benchmarks/walk.md).
+## `-- --parts FILE`, which is written as CSV (lab/results/walk.md).
 extends RefCounted
 
 const Scenery := preload("res://demo/walk/country.gd")

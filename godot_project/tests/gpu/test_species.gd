@@ -148,6 +148,7 @@ func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
 	var gpu := await picture()
+	assert_greater(share_of(gpu, is_green), 0.3, "grass")
 	gpu.save_png(PICTURES + "species.png")
 	print("    %s" % ProjectSettings.globalize_path(PICTURES + "species.png"))
 	field.backend = GrassField.BACKEND_CPU

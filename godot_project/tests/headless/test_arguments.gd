@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Every method of every class gets arguments that make no sense: NaN, far too large, negative, null. Each is clamped or refused with a
-## message that names the class and the method. No call hangs, and none changes anything beyond the field.
+## Every method of every class gets arguments that make no sense: NaN, far too large, negative, null. NaN is refused with a message that
+## names the class. No call hangs, and none changes anything beyond the field.
 extends "res://tests/world_case.gd"
 
 const FAR := 1e30
@@ -25,6 +25,21 @@ const BAD := {
 	TYPE_PACKED_BYTE_ARRAY: [[], [1, 2, 3]],
 	TYPE_PACKED_INT64_ARRAY: [[], [-1], [9223372036854775807]],
 }
+const WITH_NAN := [TYPE_FLOAT, TYPE_VECTOR2, TYPE_VECTOR3, TYPE_RECT2, TYPE_AABB, TYPE_TRANSFORM3D]  # their first bad value has one
+## Methods that ask what is at a place: there is nothing at one that is not a number, as beside the field, and nobody needs to hear of it.
+const ANSWER_ANYWHERE := [
+	"get_tile_at",
+	"is_grass_at",
+	"get_density_at",
+	"get_height_at",
+	"get_bend_at",
+	"density_at",
+	"height_at",
+	"bend_at",
+	"explain",
+	"sample",
+	"get_field_at",
+]
 
 
 ## Arguments that a method takes as they are.
@@ -79,6 +94,38 @@ func methods_of(type: StringName) -> Array[Dictionary]:
 	)
 
 
+## Hears the errors and warnings that are reported.
+class Hearer:
+	extends Logger
+	var heard := ""
+
+	func _log_error(
+		_function: String, _file: String, _line: int, code: String, why: String, _notify: bool, _type: int, _traces: Array[ScriptBacktrace]
+	) -> void:
+		heard += why if why else code
+
+
+## Calls every method of `object` with one argument that is not a number after the other.
+func refuses_nan(object: Object) -> int:
+	var calls := 0
+	var hearer := Hearer.new()
+	OS.add_logger(hearer)
+	for method in methods_of(object.get_class()):
+		for bad_place: int in method.args.size():
+			if not method.args[bad_place].type in WITH_NAN or method.name in ANSWER_ANYWHERE:
+				continue
+			var arguments := []
+			for place: int in method.args.size():
+				arguments.append(BAD[method.args[place].type][0] if place == bad_place else good(method.args[place], place))
+			hearer.heard = ""
+			object.callv(method.name, arguments)
+			calls += 1
+			var words := "%s of %s.%s() is not a number: %s" % [method.args[bad_place].name, object.get_class(), method.name, hearer.heard]
+			assert_true(hearer.heard.contains(object.get_class()), words)
+	OS.remove_logger(hearer)
+	return calls
+
+
 ## Calls every method of `object` with one bad argument after the other; `check` after each call.
 func try_methods(object: Object, check: Callable) -> int:
 	var calls := 0
@@ -115,6 +162,21 @@ func test_a_field_takes_any_arguments() -> void:
 	field.map.clear()
 	await seen()
 	assert_true(all_finite(field, [field.get_tile_at(Vector3.ZERO)]))
+
+
+func test_nan_is_refused_aloud() -> void:
+	for part: String in ["GrassField 'Meadow'", "GrassMap", "GrassWorld '"]:
+		expect_error(part)
+	var field := add_field({map = full_map()})
+	await seen()
+	assert_greater(refuses_nan(field), 20, "arguments of a field's methods")
+	assert_greater(refuses_nan(full_map()), 4, "of a map's")
+	assert_greater(refuses_nan(add_world({})), 3, "of a world's")
+	for object: Object in [GrassPatch.new(), GrassSpecies.new(), GrassFillRule.new(), GrassBrush.new(), GrassQuality.new()]:
+		refuses_nan(object)
+	for node: Node3D in [GrassForce3D.new(), GrassExclusion3D.new(), GrassPath3D.new(), GrassBoneColliders3D.new()]:
+		add_child(node)
+		refuses_nan(node)
 
 
 func test_a_map_takes_any_arguments() -> void:

@@ -21,7 +21,7 @@ PYTHON_MINIMUM = (3, 11)  # Material's
 
 
 def ensure_packages():
-	"""Installs the packages that build the site into .tools/pages/site."""
+	"""Installs the packages that build the site into .tools/site."""
 	if sys.version_info < PYTHON_MINIMUM:
 		raise Failure(f"The site needs Python {'.'.join(map(str, PYTHON_MINIMUM))} or newer; this is {sys.version.split()[0]}.")
 	pip_packages.ensure(HERE / "requirements.txt", PACKAGES, "what the site is built with")
@@ -37,6 +37,16 @@ def as_python_markdown(text):
 	return "".join(parts)
 
 
+def on_site(text, is_history):
+	"""A page's text whose links out of the site are words: to the laboratory, and from pages of the history to anything but such pages."""
+
+	def link(match):
+		stays = re.match(r"\d{4}-[\w-]+\.md", match[1]) if is_history else not re.match(r"(?:\.\./)+lab/", match[1])
+		return match[0] if stays else re.sub(r"^!?\[|\]\([^()]*\)$", "", match[0])
+
+	return links.LINK.sub(link, text)
+
+
 def write_source():
 	"""Everything that MkDocs reads, in build/site_src."""
 	shutil.rmtree(SOURCE, ignore_errors=True)
@@ -46,7 +56,8 @@ def write_source():
 	reference = classes.read_all()
 	told = mentions.Mentions(reference)
 	for path in sorted(SOURCE.rglob("*.md")):
-		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(path.read_text())))
+		text = on_site(path.read_text(), path.parent.name == "history" and path.name != "README.md")
+		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(text)))
 	classes.write(reference, told, SOURCE / "classes")
 
 
