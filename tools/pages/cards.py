@@ -10,7 +10,9 @@ from tools.places import PROJECT
 
 FOLDER = PROJECT / "addons/grass_field/presets/cards"
 SIDE = 256  # texels; the size to which a field scales a picture (GrassSpecies.card)
-STEP = 12  # colours are rounded to multiples of this, so that few enough are left for a palette
+FINER = 2  # as many texels are drawn along each texel, so that edges are smooth: their alpha is the share that is covered
+DRAWN = SIDE * FINER
+STEP = 12  # colours are rounded to multiples of this, so that pictures stay small
 STALK = (0.35, 0.5, 0.2)
 
 
@@ -18,14 +20,23 @@ class Card:
 	"""A picture to draw strokes and ellipses on, from back to front. Places are 0..1 from the lower left."""
 
 	def __init__(self):
-		self.texels = [None] * (SIDE * SIDE)
+		self.texels = [None] * (DRAWN * DRAWN)
 
 	def _each(self, left, right, low, high, visit):
-		for j in range(max(int(low * SIDE), 0), min(int(high * SIDE) + 2, SIDE)):
-			for i in range(max(int(left * SIDE), 0), min(int(right * SIDE) + 2, SIDE)):
-				color = visit((i + 0.5) / SIDE, (j + 0.5) / SIDE)
+		for j in range(max(int(low * DRAWN), 0), min(int(high * DRAWN) + 2, DRAWN)):
+			for i in range(max(int(left * DRAWN), 0), min(int(right * DRAWN) + 2, DRAWN)):
+				color = visit((i + 0.5) / DRAWN, (j + 0.5) / DRAWN)
 				if color:
-					self.texels[(SIDE - 1 - j) * SIDE + i] = color
+					self.texels[(DRAWN - 1 - j) * DRAWN + i] = color
+
+	def texel(self, i, j):
+		"""Its mean colour, or None, and the share of it that is covered."""
+		seen = []
+		for n in range(FINER):
+			first = (j * FINER + n) * DRAWN + i * FINER
+			seen += [texel for texel in self.texels[first : first + FINER] if texel]
+		mean = tuple(sum(color[k] for color in seen) / len(seen) for k in range(3)) if seen else None
+		return mean, len(seen) / FINER**2
 
 	def ellipse(self, x, y, along, across, angle, color, dark=0.35):
 		"""Draws an ellipse with half axes `along` and `across`, turned right by `angle` radians; its left side and foot are darker."""
@@ -66,25 +77,22 @@ def round_color(color):
 
 
 def save(name, *cards):
-	"""The pictures side by side, as PNG with a palette. Uncovered texels have the mean colour, transparent, so that smaller copies have no
-	dark rims."""
-	seen = [texel for card in cards for texel in card.texels if texel]
+	"""The pictures side by side, as PNG. Uncovered texels have the mean colour, transparent, so that smaller copies have no dark rims."""
+	texels = [[[card.texel(i, j) for i in range(SIDE)] for j in range(SIDE)] for card in cards]
+	seen = [color for card in texels for row in card for color, _ in row if color]
 	mean = tuple(sum(color[k] for color in seen) / len(seen) for k in range(3))
-	rounded = [[texel and round_color(texel) for texel in card.texels] for card in cards]
-	palette = [round_color(mean), *sorted({texel for card in rounded for texel in card if texel})]
-	number = {None: 0, **{color: 1 + k for k, color in enumerate(palette[1:])}}
 	rows = bytearray()
 	for j in range(SIDE):
 		rows.append(0)
-		for card in rounded:
-			rows += bytes(number[texel] for texel in card[j * SIDE : (j + 1) * SIDE])
+		for card in texels:
+			for color, share in card[j]:
+				rows += bytes((*round_color(color or mean), round(255 * share)))
 
 	def chunk(kind, data):
 		return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
-	head = struct.pack(">IIBBBBB", SIDE * len(cards), SIDE, 8, 3, 0, 0, 0)
-	colors = chunk(b"PLTE", b"".join(map(bytes, palette))) + chunk(b"tRNS", b"\0")
-	png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + colors + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b"")
+	head = struct.pack(">IIBBBBB", SIDE * len(cards), SIDE, 8, 6, 0, 0, 0)
+	png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b"")
 	FOLDER.mkdir(parents=True, exist_ok=True)
 	(FOLDER / f"{name}.png").write_bytes(png)
 
@@ -141,8 +149,8 @@ def ear(color, grains, fat, awns, nod, source):
 	return card
 
 
-def panicle(color, branches, wide, droop, grain, nod, source):
-	"""Branches from a stalk that spread and carry grains: a loose seed head of a grass, or the plume of reed."""
+def panicle(color, branches, wide, droop, grain, grains, nod, source):
+	"""Branches from a stalk that spread and carry grains, so many each: a loose seed head of a grass, or the plume of reed."""
 	card = Card()
 	stalk = Stalk(nod, 0.97)
 	stalk.draw(card, 0.018, varied(color, source, 0.05))
@@ -155,8 +163,8 @@ def panicle(color, branches, wide, droop, grain, nod, source):
 		x_end, y_end = x + aside * math.cos(angle) + along * math.sin(angle), y - aside * math.sin(angle) + along * math.cos(angle)
 		y_end -= 0.25 * nod * length  # they hang
 		card.stroke(x, y, x_end, y_end, 0.012, varied(color, source))
-		for n in range(1, 6):
-			t = n / 5.0
+		for n in range(1, grains + 1):
+			t = n / grains
 			lean = math.atan2(x_end - x, y_end - y) + source.uniform(-0.3, 0.3)
 			at_x, at_y = x + (x_end - x) * t, y + (y_end - y) * t - 0.02 * droop
 			card.ellipse(at_x, at_y, grain * source.uniform(0.8, 1.2), 0.38 * grain, lean, varied(color, source, 0.18))
@@ -277,8 +285,8 @@ def main():
 	heads = {
 		"wheat": lambda nod, source: ear((0.82, 0.66, 0.34), 11, 0.16, 0.0, 0.5 * nod, source),
 		"barley": lambda nod, source: ear((0.85, 0.74, 0.45), 11, 0.1, 0.36, nod, source),
-		"panicle": lambda nod, source: panicle((0.66, 0.55, 0.38), 16, 0.34 - 0.2 * abs(nod - 0.3), 0.1, 0.035, nod, source),
-		"plume": lambda nod, source: panicle((0.5, 0.38, 0.3), 34, 0.36, 0.75, 0.04, 0.6 * nod, source),
+		"panicle": lambda nod, source: panicle((0.66, 0.55, 0.38), 20, 0.34 - 0.2 * abs(nod - 0.3), 0.1, 0.026, 7, nod, source),
+		"plume": lambda nod, source: panicle((0.5, 0.38, 0.3), 38, 0.36, 0.75, 0.034, 6, 0.6 * nod, source),
 	}
 	for name, draw in heads.items():
 		source = random.Random(name)
