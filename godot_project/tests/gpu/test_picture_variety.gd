@@ -98,7 +98,7 @@ func test_leaves_in_a_low_sun_have_no_dots() -> void:
 	with.save_png(PICTURES + "leaves_low_sun.png")
 	var off := difference(without, with)
 	print("    shadows change pixels by %.4f" % off.y)
-	assert_less(off.y, 0.02)
+	assert_less(off.y, 0.0017)  # 0.0012; 0.0022 if leaves look their shadows up where they are
 	assert_near(light_of(with).g / light_of(without).g, 1.0, 0.06)
 
 
