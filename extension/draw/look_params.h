@@ -24,8 +24,14 @@ inline constexpr std::array FIELD_COLORS = {
 	NamedColor{ "soil_color", 0.22f, 0.20f, 0.12f },
 };
 
+// Textures of a field's soil, each with a property and a uniform of its own; and the metres that they span.
+inline constexpr std::array SOIL_TEXTURES = { "soil_albedo", "soil_normal", "soil_roughness" };
+inline constexpr Tunable SOIL_SCALE{ "soil_scale", "m", 0.1, 100.0, 0.1, 2.0 };
+
 // Share of dryness in tips and light clumps.
 inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
+// How much the hue of the fresh colour differs from clump to clump, from yellow to blue.
+inline constexpr Tunable HUE_VARIATION{ "hue_variation", "", 0.0, 1.0, 0.01, 0.0 };
 // Width of the border in which a field gets thinner and lower. 0: it ends abruptly, for adjacent fields.
 inline constexpr Tunable BORDER_FADE{ "border_fade", "m", 0.0, 10.0, 0.1, 1.0 };
 // How dark the ground between the densest blades is. Use less for sparse lawns.

@@ -148,7 +148,7 @@ Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const 
 	for (size_t s = 0; s < p_looks.size(); s++) {
 		const SpeciesLook &look = p_looks[s];
 		for (const Color &color : look.colors) {
-			put(color.r, color.g, color.b, 1.0f);
+			put(color.r, color.g, color.b, look.hue_variation);
 		}
 		put(look.dry_color.r, look.dry_color.g, look.dry_color.b, look.dry);
 		put(look.canopy_among_others, look.canopy_alone, look.blade_area, look.leaf_width);

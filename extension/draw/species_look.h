@@ -20,6 +20,7 @@ struct SpeciesLook {
 	std::array<godot::Color, GRASS_LOOK_COLORS> colors; // from root to tip, linear
 	godot::Color dry_color; // linear
 	float dry = 0.0f; // share of dryness in tips and light clumps
+	float hue_variation = 0.0f; // HUE_VARIATION
 	std::vector<godot::Ref<godot::Image>> card; // flowers or seed heads at the tip, from read_card(); empty: none
 	godot::Color card_color; // multiplies the card's colours, linear
 	float card_share = 0.0f; // of the blades

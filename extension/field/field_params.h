@@ -48,6 +48,7 @@ enum FieldParamId {
 	PARAM_DENSITY,
 	PARAM_PLANT_NODES_MAX,
 	PARAM_FOLLOW_SLOPE,
+	PARAM_SPARSE_HEIGHT,
 	PARAM_LEDGE_SLOPE,
 	PARAM_GROUND_LOW,
 	PARAM_GROUND_HIGH,
@@ -72,6 +73,7 @@ enum FieldParamId {
 	PARAM_GUST_SIZE,
 	PARAM_GUST_STRENGTH,
 	PARAM_BORDER_FADE,
+	PARAM_SOIL_SCALE,
 	PARAM_TERRAIN_BLEND,
 	PARAM_ROOT_SHADE,
 	PARAM_BACK_LIGHT,
@@ -102,6 +104,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
 	FieldParam{ PARAM_PLANT_NODES_MAX, PLANT_NODES_MAX, Effect::STEP, "Field" },
 	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
+	FieldParam{ PARAM_SPARSE_HEIGHT, SPARSE_HEIGHT, Effect::REBUILD, "Map" },
 	FieldParam{ PARAM_LEDGE_SLOPE, LEDGE_SLOPE, Effect::STEP, "Map" }, // read when ground is
 	FieldParam{ PARAM_GROUND_LOW, GROUND_LOW, Effect::STEP, "Map" }, // read when ground is
 	FieldParam{ PARAM_GROUND_HIGH, GROUND_HIGH, Effect::STEP, "Map" },
@@ -126,6 +129,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_GUST_SIZE, GUST_SIZE, Effect::WIND, "Wind" },
 	FieldParam{ PARAM_GUST_STRENGTH, GUST_STRENGTH, Effect::WIND, "Wind" },
 	FieldParam{ PARAM_BORDER_FADE, BORDER_FADE, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_SOIL_SCALE, SOIL_SCALE, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_TERRAIN_BLEND, TERRAIN_BLEND, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_ROOT_SHADE, ROOT_SHADE, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_BACK_LIGHT, BACK_LIGHT, Effect::UNIFORM, "Look" },

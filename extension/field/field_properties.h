@@ -53,6 +53,7 @@ struct FieldProperties {
 	const godot::Ref<godot::Texture2D> &find_terrain_texture() const {
 		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
 	}
+	std::array<godot::Ref<godot::Texture2D>, SOIL_TEXTURES.size()> soil_textures;
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1, ground_mask = FieldGround::ALL_LAYERS;
 	godot::StringName ground_group;
 	bool simulated = true, measure_time = false, has_soil = true;

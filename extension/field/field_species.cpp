@@ -30,7 +30,7 @@ std::shared_ptr<const Patch> FieldSpecies::find_join(const Joining &p_joining) {
 			return patch.lock();
 		}
 	}
-	auto patch = std::make_shared<const Patch>(join_patches(p_joining.from, p_joining.shares, p_joining.stems));
+	auto patch = std::make_shared<const Patch>(join_patches(p_joining.from, p_joining.shares, p_joining.stems, p_joining.tussocks));
 	made.emplace_back(p_joining, patch);
 	return patch;
 }
@@ -161,7 +161,11 @@ std::vector<double> FieldSpecies::find_shares() const {
 }
 
 FieldSpecies::Joining FieldSpecies::find_joining() const {
-	return { patches_of(find_grown()), find_shares(), find_stems() };
+	Joining joining{ patches_of(find_grown()), find_shares(), find_stems(), {} };
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		joining.tussocks.push_back(species->get_tussocks());
+	}
+	return joining;
 }
 
 bool FieldSpecies::is_joined() const {
@@ -170,7 +174,7 @@ bool FieldSpecies::is_joined() const {
 
 std::shared_ptr<const Patch> FieldSpecies::join() const {
 	if (Joining now = find_joining(); !_joined || _joined_of != now) {
-		const bool is_one = now.from.size() == 1 && now.stems[0] == 1;
+		const bool is_one = now.from.size() == 1 && now.stems[0] == 1 && now.tussocks[0].share == 0.0;
 		_joined = is_one ? now.from[0] : find_join(now);
 		_joined_of = std::move(now);
 	}

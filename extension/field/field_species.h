@@ -73,6 +73,7 @@ private:
 		std::vector<std::shared_ptr<const Patch>> from;
 		std::vector<double> shares;
 		std::vector<int> stems;
+		std::vector<Tussocks> tussocks;
 		bool operator==(const Joining &) const = default;
 	};
 

@@ -29,6 +29,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
 	p_set("debug_view", p_properties.debug_view);
 	p_set("follow_slope", p_setup.follow_slope);
+	p_set("sparse_height", p_setup.sparse_height);
 	p_set("other_light", _light);
 	p_set("sun_map", find_cast());
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
@@ -39,8 +40,18 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		p_set(FIELD_COLORS[i].name, p_properties.colors[i]);
 	}
+	set_soil(p_properties, p_set);
 	p_set("terrain_texture", p_properties.find_terrain_texture());
 	set_wind(p_properties, p_set);
+}
+
+void FieldUniforms::set_soil(const FieldProperties &p_properties, const SetUniform &p_set) {
+	Vector3 has;
+	for (size_t i = 0; i < SOIL_TEXTURES.size(); i++) {
+		p_set(SOIL_TEXTURES[i], p_properties.soil_textures[i]);
+		has[int(i)] = real_t(p_properties.soil_textures[i].is_valid());
+	}
+	p_set("soil_textures", has);
 }
 
 void FieldUniforms::set_clump(const ClumpParams &p_clump, const SetUniform &p_set) {
@@ -123,7 +134,8 @@ void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &
 	p_set("force_beat", beats);
 }
 
-// Colours and dryness of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.
+// Colours, dryness and variation of hue of the ground, and of blades that are all of one species: the mean over the species, weighted by
+// their shares.
 void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const SetUniform &p_set) {
 	double shares = 0.0;
 	for (const GrownSpecies &grown : p_species) {
@@ -132,9 +144,10 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 	const auto share_of = [&](const GrownSpecies &p_grown) {
 		return shares > 0.0 ? p_grown.species->get_mix().share / shares : 1.0 / double(p_species.size());
 	};
-	double dry = 0.0;
+	double dry = 0.0, hue_variation = 0.0;
 	for (const GrownSpecies &grown : p_species) {
 		dry += share_of(grown) * grown.species->get_param(SPECIES_PARAM_DRY);
+		hue_variation += share_of(grown) * grown.species->get_param(SPECIES_PARAM_HUE_VARIATION);
 	}
 	for (int color = SPECIES_ROOT_COLOR; color <= SPECIES_DRY_COLOR; color++) {
 		Color mean(0.0f, 0.0f, 0.0f);
@@ -144,6 +157,7 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 		p_set(SPECIES_COLORS[size_t(color)].name, p_species.size() == 1 ? p_species[0].species->get_color(color) : mean.linear_to_srgb());
 	}
 	p_set(DRY.name, float(dry));
+	p_set(HUE_VARIATION.name, float(hue_variation));
 }
 
 // How plants with a mesh look as blades, and where they are.

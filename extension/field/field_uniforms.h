@@ -18,6 +18,7 @@ class FieldUniforms {
 public:
 	// Of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const SetUniform &p_set) const;
+	static void set_soil(const FieldProperties &p_properties, const SetUniform &p_set);
 	static void set_clump(const ClumpParams &p_clump, const SetUniform &p_set);
 	void set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const;
 	// Sets how the field's axes lie in the world's, which the wind needs. Returns whether they lie otherwise than before.

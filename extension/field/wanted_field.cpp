@@ -41,6 +41,7 @@ WantedField find_wanted(const FieldProperties &p_properties) {
 	wanted.painted = p_properties.map;
 	setup.is_mapped = wanted.painted.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
+	setup.sparse_height = float(p_properties.param(PARAM_SPARSE_HEIGHT));
 	setup.has_terrain = p_properties.find_terrain_texture().is_valid();
 	setup.card_size = p_properties.species.find_card_size();
 	setup.leaf_area = p_properties.species.find_leaf_area();

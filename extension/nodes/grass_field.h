@@ -153,6 +153,8 @@ public:
 	double get_param(int64_t p_param) const;
 	FieldGround get_ground_band() const { return _properties.ground_band(); }
 	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
+	void set_soil_texture(int64_t p_index, const godot::Ref<godot::Texture2D> &p_texture); // null: none
+	godot::Ref<godot::Texture2D> get_soil_texture(int64_t p_index) const;
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 

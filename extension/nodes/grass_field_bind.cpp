@@ -43,6 +43,8 @@ void add_old_names() {
 void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassField::set_param);
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::_get_param);
+	ClassDB::bind_method(D_METHOD("_set_soil_texture", "index", "texture"), &GrassField::set_soil_texture);
+	ClassDB::bind_method(D_METHOD("_get_soil_texture", "index"), &GrassField::get_soil_texture);
 	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassField::set_color);
 	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassField::get_color);
 
@@ -92,6 +94,10 @@ void GrassField::_bind_methods() {
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color",
 				"_get_color", int(i));
+	}
+	for (size_t i = 0; i < SOIL_TEXTURES.size(); i++) {
+		ClassDB::add_property("GrassField", PropertyInfo(Variant::OBJECT, SOIL_TEXTURES[i], PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
+				"_set_soil_texture", "_get_soil_texture", int(i));
 	}
 	add_numbers("Look");
 	ADD_GROUP("Surface", "");

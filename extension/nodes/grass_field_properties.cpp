@@ -182,6 +182,19 @@ Variant GrassField::_get_param(int64_t p_param) const {
 	return property_value(FIELD_PARAMS[size_t(p_param)].tunable, _properties.params[size_t(p_param)]);
 }
 
+void GrassField::set_soil_texture(int64_t p_index, const Ref<Texture2D> &p_texture) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_INDEX(p_index, int(SOIL_TEXTURES.size()));
+	if (replace(_properties.soil_textures[size_t(p_index)], p_texture)) {
+		FieldUniforms::set_soil(_properties, _standing.setter());
+	}
+}
+
+Ref<Texture2D> GrassField::get_soil_texture(int64_t p_index) const {
+	ERR_FAIL_INDEX_V(p_index, int(SOIL_TEXTURES.size()), Ref<Texture2D>());
+	return value_of(_properties.soil_textures[size_t(p_index)]);
+}
+
 void GrassField::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));

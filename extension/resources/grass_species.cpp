@@ -209,6 +209,7 @@ SpeciesLook GrassSpecies::make_look(const std::vector<Ref<Image>> &p_card, const
 	}
 	look.dry_color = _colors[SPECIES_DRY_COLOR].srgb_to_linear();
 	look.dry = float(param(SPECIES_PARAM_DRY));
+	look.hue_variation = float(param(SPECIES_PARAM_HUE_VARIATION));
 	look.card = p_card;
 	look.card_color = _colors[SPECIES_CARD_COLOR].srgb_to_linear();
 	look.card_share = float(param(SPECIES_PARAM_CARD_SHARE));
@@ -236,7 +237,7 @@ void GrassSpecies::_bind_methods() {
 	GRASS_BIND_PROPERTY_AS(
 			GrassSpecies, PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch, "patch");
 	ADD_GROUP("Mix", "");
-	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_STAND_STRENGTH);
+	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_TUSSOCK_BLADES);
 	ADD_GROUP("Simulation", "");
 	add_numbers(SPECIES_PARAM_NATURAL_FREQUENCY, SPECIES_PARAM_BEND_STIFFNESS);
 	ADD_GROUP("Map", "");
@@ -245,7 +246,7 @@ void GrassSpecies::_bind_methods() {
 	add_colors(SPECIES_ROOT_COLOR, SPECIES_DRY_COLOR);
 	GRASS_BIND_PROPERTY_AS(GrassSpecies, PropertyInfo(Variant::OBJECT, "gradient", PROPERTY_HINT_RESOURCE_TYPE, "Gradient"), set_gradient,
 			get_gradient, "gradient");
-	add_numbers(SPECIES_PARAM_DRY, SPECIES_PARAM_DRY);
+	add_numbers(SPECIES_PARAM_DRY, SPECIES_PARAM_HUE_VARIATION);
 	ADD_GROUP("Card", "card");
 	GRASS_BIND_PROPERTY_AS(
 			GrassSpecies, PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_card, get_card, "card");

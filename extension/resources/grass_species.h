@@ -64,6 +64,7 @@ public:
 	// species.
 	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _leaf.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
 	int get_stems() const; // number of blades that share a root: a power of two
+	Tussocks get_tussocks() const { return { param(SPECIES_PARAM_TUSSOCK_SHARE), int(param(SPECIES_PARAM_TUSSOCK_BLADES)) }; }
 	// Returns the mesh in the form for drawing, or null.
 	std::shared_ptr<const PlantModel> find_plant() const;
 	// Returns what stands for the mesh at some distance, or null. It is made at first use.

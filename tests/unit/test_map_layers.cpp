@@ -153,14 +153,35 @@ TEST_CASE("map_layers: nothing waits of a map that is what it was, and of one th
 	CHECK(std::ranges::equal(layers.get_cover()->get_tiles(), lay_out(bare).get_cover()->get_tiles())); // texels beyond the field stay
 }
 
-TEST_CASE("map_layers: places differ by the field's tiles, its longest blade, how blades follow slopes, and species") {
+TEST_CASE("map_layers: places differ by the field's tiles, its longest blade, how blades follow slopes, how high thin grass is, and "
+		  "species") {
 	CHECK(lay_out(paint_rows()).get_place() == PLACE);
-	MapPlace grid = PLACE, tallest = PLACE, follow = PLACE, species = PLACE;
+	MapPlace grid = PLACE, tallest = PLACE, follow = PLACE, sparse = PLACE, species = PLACE;
 	grid.grid = TileGrid::make(200.0, 150.0, 256.0);
 	tallest.tallest = 0.7;
 	follow.follow = 0.25f;
+	sparse.sparse_height = 0.5f;
 	species.has_species = true;
-	for (const MapPlace &other : { grid, tallest, follow, species }) {
+	for (const MapPlace &other : { grid, tallest, follow, sparse, species }) {
 		CHECK(other != PLACE);
 	}
+}
+
+TEST_CASE("map_layers: thin grass is lower by sparse_height, and dense grass and that of other fields is not") {
+	PaintMap map;
+	map.set_base_density(0.25);
+	paint(map, MapTool::PAINT, 1.0, disc(0.0, 0.0, 4.0));
+	MapPlace place{ HILL_GRID };
+	MapLayers whole(place);
+	whole.update(map, whole.get_region());
+	place.sparse_height = 0.4f;
+	MapLayers lower(place);
+	lower.update(map, lower.get_region());
+	CHECK(whole.sample({ 14.0f, 0.0f }).height == 1.0f);
+	CHECK(lower.sample({ 0.0f, 0.0f }).height == 1.0f);
+	const float thin = lower.sample({ 14.0f, 0.0f }).height;
+	CHECK(thin > 0.4f);
+	CHECK(thin < 0.65f);
+	CHECK(lower.sample({ 4.0f, 0.0f }).height < 0.98f); // its border
+	CHECK(lower.sample({ 4.0f, 0.0f }).height > thin);
 }

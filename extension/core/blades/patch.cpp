@@ -9,6 +9,7 @@
 
 #include "core/base/half.h"
 #include "core/base/hash.h"
+#include "core/blades/tussock.h"
 
 namespace grass {
 
@@ -193,8 +194,8 @@ void measure_patch(Patch &r_patch) {
 	}
 }
 
-Patch join_patches(
-		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems) {
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems,
+		std::span<const Tussocks> p_tussocks) {
 	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });
 	if (found == p_patches.end()) {
 		Patch empty = generate_patch({});
@@ -207,20 +208,26 @@ Patch join_patches(
 	Patch joined;
 	joined.species = int(p_patches.size());
 	joined.texels.reserve(p_patches.size() * first.texels.size());
+	const auto has_tussocks = [&](size_t p_species) { return p_species < p_tussocks.size() && p_tussocks[p_species].share > 0.0; };
 	for (size_t s = 0; s < p_patches.size(); s++) {
 		const Patch &own = p_patches[s]->is_empty() ? first : *p_patches[s];
 		joined.texels.insert(joined.texels.end(), own.texels.begin(), own.texels.end());
+		const int stems = s < p_stems.size() ? p_stems[s] : 1;
 		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
 			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
-			const int stems = s < p_stems.size() ? p_stems[s] : 1;
-			const uint16_t *place =
-					&first.texels[Patch::texel_index(blade / stems, 0)]; // take neighbouring plants: every nth would grow in rows
+			// Where the roots of a tile decide about its plants, there they grow.
+			const Patch &places = stems > 1 && s > 0 && has_tussocks(0) ? joined : first;
+			// Take neighbouring plants: every nth would grow in rows.
+			const uint16_t *place = &places.texels[Patch::texel_index(blade / stems, 0)];
 			root[0] = place[0];
 			root[1] = place[1];
 			root[3] = p_patches[s]->is_empty() ? 0 : root[3];
 			if (stems > 1) {
 				spread_stem(joined, int(s) * GRASS_PATCH_BLADES + blade, stems);
 			}
+		}
+		if (stems == 1 && has_tussocks(s)) {
+			gather_roots(joined, int(s) * GRASS_PATCH_BLADES, first, p_tussocks[s]);
 		}
 		const float share = float(p_shares[s]);
 		joined.max_length = std::max(joined.max_length, own.max_length);

@@ -72,10 +72,20 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 // Sets the lengths and heights of a patch of one species from its blades.
 void measure_patch(Patch &r_patch);
 
+// The share of a species' blades that grow in tussocks, and about how many there are in one.
+inline constexpr Tunable TUSSOCK_SHARE{ "tussock_share", "", 0.0, 1.0, 0.01, 0.0 };
+inline constexpr Tunable TUSSOCK_BLADES{ "tussock_blades", "", 4.0, 64.0, 1.0, 16.0, true };
+struct Tussocks {
+	double share = TUSSOCK_SHARE.initial;
+	int blades = int(TUSSOCK_BLADES.initial);
+	bool operator==(const Tussocks &) const = default;
+};
+
 // Joins the patches of several species into one. Blade b of each has the root of blade b of the first, so that a root is known before its
 // species is. p_shares: weights of the species in the means. A species without blades gets some of zero width. p_stems: for each species a
-// power of two, the number of its blades that share a root and spread from it; 1 each if empty.
-Patch join_patches(
-		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems = {});
+// power of two, the number of its blades that share a root and spread from it; 1 each if empty. p_tussocks: for each species; none if
+// empty, or if blades share a root.
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares,
+		std::span<const int> p_stems = {}, std::span<const Tussocks> p_tussocks = {});
 
 } // namespace grass

@@ -26,6 +26,7 @@ struct FieldSetup {
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map determines what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
+	float sparse_height = float(SPARSE_HEIGHT.initial);
 	std::shared_ptr<const SpeciesMix> species; // null: one species, at no extra cost
 
 	Method method = Method::DIRECT; // of solving its blades
@@ -52,7 +53,7 @@ struct FieldSetup {
 	float tip_size() const { return std::max(card_size, plant_size); }
 	// Returns the size of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width + width_of_leaf(leaf_area, patch->mean_length), patch->mean_length }; }
-	MapPlace map_place() const { return { grid, double(blade_length()), follow_slope, species != nullptr }; }
+	MapPlace map_place() const { return { grid, double(blade_length()), follow_slope, species != nullptr, sparse_height }; }
 	CullField cull_field() const {
 		return { grid, blade_spread(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
 	}

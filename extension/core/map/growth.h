@@ -25,6 +25,9 @@ static_assert(int(GroundSplit::BESIDE) == GRASS_GROUND_BESIDE);
 // How far blades follow the ground's slope. 0: they grow upright, like grass; 1: at a right angle to the ground, like hair.
 inline constexpr Tunable FOLLOW_SLOPE{ "follow_slope", "", 0.0, 1.0, 0.01, 0.25 };
 
+// The height of grass where the map has the least of it, as a share: less than 1 lets paths and the borders of stands slope down.
+inline constexpr Tunable SPARSE_HEIGHT{ "sparse_height", "", 0.1, 1.0, 0.01, 1.0 };
+
 // Returns how far following the slope can move the tip of a blade of 1 m, on ground of up to 60 degrees, in metres.
 inline float slope_lean(float p_follow) {
 	const float tilt = glsl::grass_ground_tilt(glsl::vec2(0.8660254f, 0.0f), p_follow).x; // tangent of half the angle

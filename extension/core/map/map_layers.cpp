@@ -238,6 +238,12 @@ int MapLayers::get_species(int p_texel_x, int p_texel_z) const {
 }
 
 Growth MapLayers::sample(const Eigen::Vector2f &p_place) const {
+	Growth here = read_texels(p_place);
+	here.height *= glsl::grass_sparse_height(here.density, _place.sparse_height);
+	return here;
+}
+
+Growth MapLayers::read_texels(const Eigen::Vector2f &p_place) const {
 	Growth here = glsl::grass_unpainted(_base_density);
 	const Eigen::Array2f chunk = (p_place.array() / float(MAP_CHUNK_SIZE)).floor();
 	if (!chunk.allFinite() || (chunk.abs() > float(PaintMap::REACH)).any()) {

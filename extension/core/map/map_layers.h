@@ -22,6 +22,7 @@ struct MapPlace {
 	double tallest = MAP_UNCUT;
 	float follow = 0.0f; // FOLLOW_SLOPE
 	bool has_species = false; // several, so that its shaders read which of them is painted
+	float sparse_height = float(SPARSE_HEIGHT.initial);
 	bool operator==(const MapPlace &) const = default;
 };
 
@@ -88,6 +89,7 @@ public:
 private:
 	size_t index_of(const MapKey &p_key) const { return size_t(p_key.z - _first.z) * size_t(_width) + size_t(p_key.x - _first.x); }
 	void begin(const MapPlace &p_place);
+	Growth read_texels(const Eigen::Vector2f &p_place) const; // sample() as it was painted
 	int add_layer(const MapKey &p_key);
 	void follow(const PaintMap &p_map);
 	int lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);

@@ -332,6 +332,24 @@ func look_another_colour() -> void:
 	assert_eq(stage.field.soil_color, Color(0.25, 0.18, 0.1))
 
 
+func look_less_even() -> void:
+	var stage := await staged()
+	stage.call("let_it_grow_wild")
+	await wait_until(func() -> bool: return not stage.field.get_statistics().waiting, "the field has changed")
+	assert_near(stage.field.species[0].tussock_share, 0.5, 1e-6)
+	assert_near(stage.field.sparse_height, 0.4, 1e-6)
+
+
+func look_the_ground() -> void:
+	var stage := await staged()
+	var clay := StandardMaterial3D.new()
+	clay.albedo_texture = GradientTexture2D.new()
+	stage.call("grow_on", clay)
+	assert_eq(stage.field.soil_albedo, clay.albedo_texture)
+	assert_eq(stage.field.soil_normal, null)
+	assert_near(stage.field.soil_scale, 1.5, 1e-6)
+
+
 func plants_several_kinds_of_plants() -> void:
 	var stage := await staged()
 	stage.call("mix_a_meadow")
