@@ -17,7 +17,7 @@ from tools.pages import links, prose, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.release import store
 from tools.run import engine
-from tools.test import bench_tests, formatting, members, one_text, rooms
+from tools.test import bench_tests, class_sizes, formatting, members, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -210,6 +210,7 @@ def run(only, layers):
 
 CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
+	"docs/class sizes": class_sizes.wrong,
 	"docs/members": members.wrong,
 	"docs/decisions": wrong_decisions,
 	"docs/guide has no equation": wrong_guide,
