@@ -13,7 +13,7 @@ namespace {
 
 // Returns the field's rectangle in its own map.
 Rect2 area_of(const GrassField &p_field) {
-	return { p_field.get_size() * -0.5f, p_field.get_size() };
+	return { p_field.get_parts().settings.get_size() * -0.5f, p_field.get_parts().settings.get_size() };
 }
 
 // Returns a region of the fields' parent in the map of p_field.
@@ -25,7 +25,7 @@ Rect2 to_map_of(const GrassField &p_field, const MapRegion &p_region) {
 // Returns the field's rectangle in its parent.
 MapRegion in_parent(const GrassField &p_field) {
 	const Eigen::Vector3d centre = to_eigen(p_field.get_position());
-	const Eigen::Vector2d place(centre.x(), centre.z()), half = 0.5 * to_eigen(p_field.get_size());
+	const Eigen::Vector2d place(centre.x(), centre.z()), half = 0.5 * to_eigen(p_field.get_parts().settings.get_size());
 	return { place - half, place + half };
 }
 

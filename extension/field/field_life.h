@@ -9,8 +9,6 @@
 #include "field/standing_field.h"
 #include "field/wanted_field.h"
 
-#include <godot_cpp/classes/geometry_instance3d.hpp>
-
 #include <memory>
 
 namespace grass {
@@ -27,8 +25,8 @@ public:
 		SHOWN, // the whole picture is made
 	};
 
-	FieldLife(FieldHost &p_host, godot::GeometryInstance3D &p_node, FieldProperties &p_properties, StandingField &p_standing) :
-			_host(p_host), _node(p_node), _properties(p_properties), _standing(p_standing) {}
+	FieldLife(FieldHost &p_host, FieldProperties &p_properties, StandingField &p_standing) :
+			_host(p_host), _properties(p_properties), _standing(p_standing) {}
 
 	// Requests the field that the properties describe. Call it once or often after changes; advance() makes the field.
 	void ask();
@@ -60,7 +58,6 @@ private:
 	void show();
 
 	FieldHost &_host;
-	godot::GeometryInstance3D &_node;
 	FieldProperties &_properties;
 	StandingField &_standing;
 	Stage _stage = Stage::NONE;

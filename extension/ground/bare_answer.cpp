@@ -179,8 +179,8 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 	}
 	const GroundBand band = p_properties.ground_band();
 	const FieldPlaces places(p_standing, p_fill.transform, band);
-	const Vector2i tile = places.get_tile_at(p_place);
-	if (tile == Vector2i(-1, -1)) {
+	const std::optional<TilePlace> tile = places.find_tile(p_place);
+	if (!tile) {
 		return { BareReason::OUTSIDE, "No grass grows here: the place is outside the field (`size`)." };
 	}
 	const Eigen::Vector3d place = to_eigen(p_fill.transform).inverse(Eigen::Isometry) * to_eigen(p_place);
@@ -201,7 +201,7 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 	}
 	const TileManager &tiles = field.get_tiles();
 	const bool is_full = tiles.get_statistics().awake >= tiles.get_limit();
-	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile.x, tile.y));
+	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile->x, tile->z));
 	answer.is_still = !p_properties.simulated || (is_full && !is_awake);
 	if (answer.density > 0.0 && answer.is_still) {
 		answer.text += still_words(p_properties.simulated, tiles);

@@ -58,11 +58,11 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 }
 
 Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
-	Dictionary sum = to_dictionary(CutResult());
+	Dictionary sum = to_script(CutResult());
 	GRASS_MAIN_THREAD_ONLY_V(sum);
 	double area = 0.0;
 	for (const PlotKey &key : _plots.get_standing()) {
-		area += _plots.find(key) != nullptr ? _plots.find(key)->find_area(p_shape, p_transform) : 0.0;
+		area += _plots.find(key) != nullptr ? _plots.find(key)->get_parts().work.find_area(p_shape, p_transform) : 0.0;
 	}
 	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), sum,
 			vformat("%s: cut() would act on %.0f square metres, and acts on %d at most (AREA_MAX). Call it with several smaller shapes, in "
@@ -73,7 +73,7 @@ Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);
 		Dictionary cut;
-		if (field != nullptr && !outlives(*this, [&] { cut = field->cut(p_shape, p_transform); })) {
+		if (field != nullptr && !outlives(*this, [&] { cut = to_script(field->get_parts().work.cut(p_shape, p_transform)); })) {
 			return sum; // a listener of the map freed the world
 		}
 		for (int64_t i = 0; i < names.size(); i++) {
@@ -100,7 +100,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 		GrassField *field = _plots.find(key);
 		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
 			double changed = 0.0;
-			const bool lives = outlives(*this, [&] { changed = field->paint(p_brush, p_from, p_to); });
+			const bool lives = outlives(*this, [&] { changed = field->get_parts().work.paint(p_brush, p_from, p_to); });
 			sum += changed;
 			if (!lives) { // a listener of the map freed the world
 				return sum;

@@ -47,8 +47,6 @@ ALLOWED = {
 	"editor/own_map_dialog.h": (f"{SINGLETON}; {OWN_CHILD}", "_singleton", "_opener"),
 	"editor/painted_fields.h": (ONE_CALL, "chosen", "fields", "world"),
 	"editor/picture_dialog.h": (OWN_CHILD, "_dialog"),
-	"field/field_life.h": (OWN_FIELD, "_node"),
-	"field/plant_nodes.h": (OWN_FIELD, "_node"),
 	"gpu/render_queue.h": (SINGLETON, "_singleton"),
 	"ground/bare_answer.h": (ONE_CALL, "node"),
 	"ground/field_filler.h": (OWN_FIELD, "_node"),
