@@ -54,8 +54,8 @@ ALLOWED = {
 	"ground/fill_gatherer.h": (ONE_CALL, "_field"),
 	"nodes/field_monitors.h": ("fields, which remove themselves when they leave the tree; or " + SINGLETON, "_fields", "_singleton"),
 	"nodes/field_turns.h": (SINGLETON, "_singleton"),
-	"physics/body_tracker.h": ("checked by its id in each tick, before the first use", "state", "node"),
 	"physics/ground_rays.h": (ONE_CALL, "_standing", "_space"),
+	"physics/server_body.h": ("checked by its id in each tick, before the first use", "_state", "_node"),
 	"shared/scene_watch.h": (SINGLETON, "_singleton"),
 	"world/world_fields.h": ("the world, of which it is a part and with which it ends", "_world"),
 }
