@@ -7,6 +7,7 @@
 #include "physics/ground_rays.h"
 #include "physics/ground_sheet.h"
 #include "physics/node_colliders.h"
+#include "resources/map_painting.h"
 #include "shared/convert.h"
 #include "shared/params.h"
 #include "shared/script_call.h"
@@ -132,13 +133,13 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 	const Transform3D to_field = _host.field_transform().affine_inverse();
 	const Vector3 from = to_field.xform(p_from), to = to_field.xform(p_to);
 	const Vector2 start(from.x, from.z), end(to.x, to.z);
-	const String problem = GrassMap::problem_of_stroke(p_brush, start, end);
+	const String problem = problem_of_stroke(p_brush, start, end);
 	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, _host.message("paint(): " + problem));
 	const GroundBand band = _properties.ground_band();
 	if (!band.meets(std::min(from.y, to.y), std::max(from.y, to.y))) {
 		return 0.0;
 	}
-	return map->stroke_within(p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
+	return stroke_within(*map, p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
 }
 
 double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {

@@ -4,6 +4,7 @@
 
 #include "draw/frame_share.h"
 #include "field/work_limits.h"
+#include "resources/map_painting.h"
 #include "shared/main_thread.h"
 #include "shared/script_call.h"
 
@@ -66,8 +67,7 @@ Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	}
 	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), sum,
 			vformat("%s: cut() would act on %.0f square metres, and acts on %d at most (AREA_MAX). Call it with several smaller shapes, in "
-					"as "
-					"many frames.",
+					"as many frames.",
 					label(), area, AREA_MAX));
 	const Array names = sum.keys();
 	for (const PlotKey &key : _plots.get_standing()) {
@@ -90,7 +90,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 	if (!is_here("paint")) {
 		return 0.0;
 	}
-	const String problem = GrassMap::problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
+	const String problem = problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
 	ERR_FAIL_COND_V_MSG(!problem.is_empty() || !p_from.is_finite() || !p_to.is_finite(), 0.0,
 			vformat("%s: paint(): %s", label(), problem.is_empty() ? String("the ends of a stroke must be finite numbers.") : problem));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);

@@ -22,7 +22,6 @@ LARGER = {
 	"extension/gpu/gpu_backend.h": 456,
 	"extension/gpu/gpu_field.h": 793,
 	"extension/ground/field_terrain.h": 458,
-	"extension/resources/grass_map.h": 864,
 	"extension/world/grass_world.h": 592,
 	"extension/world/world_plots.h": 534,
 }
