@@ -26,7 +26,7 @@ void FieldLife::leave() {
 bool FieldLife::advance() {
 	const bool is_refused = _standing.is_refused();
 	report_refusals(); // before warnings about their consequences
-	if (_is_reading || !_host.node().is_inside_tree() || !(is_waiting() || is_refused || _standing.is_look_waiting())) {
+	if (_is_reading || !_host.node().is_inside_tree() || !(is_waiting() || is_refused || _standing.get_picture().is_look_waiting())) {
 		return true;
 	}
 	CpuClock clock;
@@ -114,12 +114,12 @@ bool FieldLife::prepare_map(FrameShare::Turn &r_turn) {
 }
 
 void FieldLife::show() {
-	if (_standing.is_look_waiting() && !_standing.show(&_host.node(), _host.field_transform())) {
+	if (_standing.get_picture().is_look_waiting() && !_standing.show(&_host.node(), _host.field_transform())) {
 		_properties.hook.reject();
 		_standing.show(&_host.node(), _host.field_transform());
 		_is_new = true;
 	}
-	_stage = _stage == Stage::MADE && _standing.is_shown() ? Stage::SHOWN : _stage;
+	_stage = _stage == Stage::MADE && _standing.get_picture().is_shown() ? Stage::SHOWN : _stage;
 }
 
 void FieldLife::add_to(FieldStatistics &r_statistics) const {

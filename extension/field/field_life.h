@@ -43,7 +43,7 @@ public:
 	Stage get_stage() const { return _stage; }
 	bool is_waiting() const { return _stage == Stage::ASKED || is_preparing(); }
 	// Returns whether advance() has nothing to do until ask() is called, or the driver refuses a pass.
-	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.is_look_waiting(); }
+	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.get_picture().is_look_waiting(); }
 	ShownMap *get_map() const { return _wanted.map.get(); } // the map that waits to be shown, or null
 	double get_most_ms() const { return _most_ms; } // most milliseconds in one frame since the last ask()
 	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes

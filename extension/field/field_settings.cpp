@@ -95,7 +95,7 @@ void FieldSettings::set_debug_view(FieldEnums::DebugView p_view) {
 	ERR_FAIL_INDEX_MSG(
 			int64_t(p_view), GRASS_DEBUG_SIMULATED + 1, _host.message("`debug_view` must be one of the constants DEBUG_VIEW_*."));
 	if (replace(_properties.debug_view, p_view)) {
-		_standing.set_uniform("debug_view", int64_t(p_view));
+		_standing.get_picture().set_uniform("debug_view", int64_t(p_view));
 	}
 }
 
@@ -131,13 +131,13 @@ void FieldSettings::set_param(int64_t p_param, double p_value) {
 			}
 			break;
 		case Effect::UNIFORM:
-			_standing.set_uniform(info.tunable.name, _properties.scaled(info.id));
+			_standing.get_picture().set_uniform(info.tunable.name, _properties.scaled(info.id));
 			break;
 		case Effect::WIND:
-			_standing.update_wind();
+			_standing.get_picture().update_wind();
 			break;
 		case Effect::VIEW:
-			_standing.request_draw();
+			_standing.get_picture().request_draw();
 			break;
 	}
 }
@@ -155,7 +155,7 @@ Variant FieldSettings::get_param_value(int64_t p_param) const {
 void FieldSettings::set_color(int64_t p_index, const Color &p_color) {
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
 	if (replace(_properties.colors[size_t(p_index)], p_color)) {
-		_standing.set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
+		_standing.get_picture().set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
 	}
 }
 
@@ -184,7 +184,7 @@ void FieldSettings::show_terrain_texture(const Ref<Texture2D> &p_texture, const 
 	if (before.is_valid() != now.is_valid()) {
 		_host.request_rebuild();
 	} else if (before != now) {
-		_standing.set_uniform("terrain_texture", now);
+		_standing.get_picture().set_uniform("terrain_texture", now);
 	}
 }
 
@@ -214,7 +214,7 @@ String FieldSettings::no_uniform(const char *p_call, const StringName &p_name) c
 void FieldSettings::set_hook_parameter(const StringName &p_name, const Variant &p_value) {
 	ERR_FAIL_COND_MSG(!_properties.hook.has(p_name), no_uniform("set_hook_parameter()", p_name));
 	_properties.hook.set_value(p_name, p_value);
-	_standing.set_uniform(p_name, p_value);
+	_standing.get_picture().set_uniform(p_name, p_value);
 }
 
 Variant FieldSettings::get_hook_parameter(const StringName &p_name) const {

@@ -3,6 +3,7 @@
 
 #include "core/field/bare_cause.h"
 #include "core/field/grass_at.h"
+#include "field/field_device.h"
 #include "field/field_places.h"
 #include "field/project_pool.h"
 #include "shared/convert.h"
@@ -194,7 +195,8 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 		explain_map(answer, field, r_filler, p_fill, p_properties.map->get_map(), { place.x(), place.z() });
 	}
 	if (answer.reason == BareReason::NONE && p_standing.is_crowded()) {
-		return { BareReason::NO_ROOM, p_standing.crowded_warning(), nullptr, answer.density, answer.height, answer.is_still };
+		return { BareReason::NO_ROOM, crowded_warning(p_standing.get_field().get_setup()), nullptr, answer.density, answer.height,
+			answer.is_still };
 	}
 	if (answer.reason == BareReason::NONE) {
 		answer.text = standing_words(answer) + ".";

@@ -2,6 +2,7 @@
 #include "nodes/field_frames.h"
 
 #include "core/base/cpu_clock.h"
+#include "field/field_device.h"
 #include "field/field_view.h"
 #include "field/sun_map.h"
 #include "shared/frames.h"
@@ -45,7 +46,8 @@ void FieldFrames::frame(double p_delta) {
 	}
 	if (_parts.node().is_inside_tree() && _parts.standing.stands()) {
 		_parts.forces.gather(_parts.properties.size);
-		_parts.standing.blow(_parts.forces.get(), p_delta); // before drawing begins: a change in before_draw() causes no further frame
+		_parts.standing.get_picture().blow(
+				_parts.forces.get(), p_delta); // before drawing begins: a change in before_draw() causes no further frame
 	}
 	_rests = _parts.life.rests() && _parts.sources.get_terrain().is_empty();
 }
@@ -72,21 +74,21 @@ void FieldFrames::draw() {
 		expect_motion_vectors();
 	}
 	standing.show_between(node.is_physics_interpolated_and_enabled(), _ticks.find_share());
-	standing.show_motion(view.has_motion);
-	standing.follow(&node, place);
+	standing.get_picture().show_motion(view.has_motion);
+	standing.get_picture().follow(&node, place);
 	if (standing.draw(view, node.is_visible_in_tree())) {
-		warn_once(standing.crowded_warning());
+		warn_once(crowded_warning(standing.get_field().get_setup()));
 	}
 	if (standing.notice_blind_budget()) {
-		warn_once(StandingField::blind_warning());
+		warn_once(blind_warning());
 	}
 	_ms = clock.lap();
 }
 
 void FieldFrames::show_light() {
-	_parts.standing.show_sun_map(find_sun_map(&_parts.node()));
+	_parts.standing.get_picture().show_sun_map(find_sun_map(&_parts.node()));
 	if (is_compatibility()) {
-		_parts.standing.show_light(_other_light.find(&_parts.node()));
+		_parts.standing.get_picture().show_light(_other_light.find(&_parts.node()));
 	}
 }
 

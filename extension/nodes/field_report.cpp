@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/field_report.h"
 
+#include "field/field_device.h"
 #include "field/statistics_dictionary.h"
 #include "nodes/grass_field.h"
 #include "shared/build_info.h"
@@ -61,7 +62,8 @@ void FieldReport::report_warnings() {
 		return;
 	}
 	const PackedStringArray warnings = find_warnings();
-	const String refusal = _parts.standing.refusal_warning(); // of the first field only: a world has many
+	const FieldSetup &setup = _parts.standing.get_field().get_setup();
+	const String refusal = refusal_warning(_parts.properties, setup); // of the first field only: a world has many
 	const bool is_printed = !refusal.is_empty() && !printed_refusals().insert(refusal.utf8().get_data()).second;
 	for (const String &warning : warnings) {
 		if (!_warned_of.has(warning) && !(is_printed && warning == refusal)) {
@@ -72,6 +74,7 @@ void FieldReport::report_warnings() {
 }
 
 PackedStringArray FieldReport::find_warnings() const {
+	const FieldSetup &setup = _parts.standing.get_field().get_setup();
 	PackedStringArray warnings;
 	_parts.properties.warn_of_blades(warnings);
 	_parts.sources.warn_of_map(warnings);
@@ -85,12 +88,12 @@ PackedStringArray FieldReport::find_warnings() const {
 	}
 	_parts.properties.warn_of_tiles(warnings);
 	_parts.properties.warn_of_ground(warnings);
-	_parts.standing.warn_of_device(warnings);
+	warn_of_device(_parts.properties, setup, warnings);
 	if (_parts.standing.is_crowded()) {
-		warnings.push_back(_parts.standing.crowded_warning());
+		warnings.push_back(crowded_warning(setup));
 	}
 	if (_parts.standing.is_budget_blind()) {
-		warnings.push_back(StandingField::blind_warning());
+		warnings.push_back(blind_warning());
 	}
 	_parts.properties.hook.warn(warnings);
 	_parts.sources.warn(warnings);

@@ -110,7 +110,7 @@ bool FieldTicks::needs_tick() const {
 // Returns whether a tick would change nothing, now and later, unless something calls stir().
 bool FieldTicks::can_rest(std::vector<RestingBody> &r_bodies) const {
 	const StandingField &standing = _parts.standing;
-	if (!_parts.node().is_inside_tree() || !standing.is_shown() || _parts.life.is_waiting() || standing.is_map_waiting() ||
+	if (!_parts.node().is_inside_tree() || !standing.get_picture().is_shown() || _parts.life.is_waiting() || standing.is_map_waiting() ||
 			_parts.plants.is_used(standing) || !_parts.forces.find_resting(r_bodies)) {
 		return false;
 	}
@@ -215,6 +215,11 @@ void FieldTicks::body_changed(int64_t p_status, const RID &p_body, int64_t p_ins
 void FieldTicks::area_changed(int64_t p_status, int64_t p_instance_id) {
 	_parts.host.stir();
 	_parts.forces.get_areas().area_changed(p_status, p_instance_id);
+}
+
+void FieldTicks::body_woke(int64_t p_body) {
+	_parts.host.stir();
+	_parts.bodies.get_tracker().body_woke(p_body);
 }
 
 void FieldTicks::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {

@@ -45,6 +45,7 @@ public:
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
 	void area_changed(int64_t p_status, int64_t p_instance_id);
+	void body_woke(int64_t p_body);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
 

@@ -5,6 +5,7 @@
 #include "core/solver/hang.h"
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
+#include "field/field_device.h"
 #include "nodes/field_api.h"
 #include "nodes/field_monitors.h"
 #include "nodes/field_turns.h"
@@ -74,7 +75,7 @@ void GrassField::enter() {
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	listen();
 	(void)_parts.properties.update_quality();
-	_parts.standing.begin_passes();
+	begin_passes(_parts.properties);
 	request_rebuild();
 }
 
@@ -147,11 +148,6 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 
 void GrassField::_area_changed(int64_t p_status, const RID &, int64_t p_instance_id, int64_t, int64_t) {
 	_ticks.area_changed(p_status, p_instance_id);
-}
-
-void GrassField::_body_woke(int64_t p_body) {
-	stir();
-	_parts.bodies.get_tracker().body_woke(p_body);
 }
 
 void GrassField::_validate_property(PropertyInfo &p_property) const {

@@ -110,7 +110,7 @@ private:
 	void _plants_left() { (void)_parts.plants.put_away(); } // nothing may follow this
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
-	void _body_woke(int64_t p_body);
+	void _body_woke(int64_t p_body) { _ticks.body_woke(p_body); }
 	void _species_changed();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	void _fill_rule_changed();

@@ -86,21 +86,21 @@ void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 
 			map->touch(region);
 		}
 	}
-	_parts.standing.request_draw();
+	_parts.standing.get_picture().request_draw();
 }
 
 void GrassField::preview(const MapShape &p_shape, const Brush &p_brush) {
 	ShownMap *map = _parts.standing.get_map();
 	if (map != nullptr && map->get_map() == _parts.properties.map) {
 		map->preview([&](PaintMap &r_map) { return apply_brush(r_map, p_shape, p_brush); });
-		_parts.standing.request_draw();
+		_parts.standing.get_picture().request_draw();
 	}
 }
 
 void GrassField::end_preview() {
 	ShownMap *map = _parts.standing.get_map();
 	if (map != nullptr && map->end_preview()) {
-		_parts.standing.request_draw();
+		_parts.standing.get_picture().request_draw();
 	}
 }
 
@@ -165,7 +165,7 @@ bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
 	GRASS_MAIN_THREAD_ONLY_V(true);
 	if (is_hooks) {
 		_parts.properties.hook.set_property(p_name, p_value);
-		_parts.properties.hook.hand_on(_parts.standing.setter());
+		_parts.properties.hook.hand_on(_parts.standing.get_picture().setter());
 		return true;
 	}
 	const Ref<GrassSpecies> own = _parts.properties.species.find_own(callable_mp(this, &GrassField::_species_changed));

@@ -100,7 +100,8 @@ PictureProblem find_rect(const GrassMap &p_map, GrassMap::Channel p_channel, con
 					  ERR_OUT_OF_MEMORY);
 }
 
-PictureProblem make_picture(const GrassMap &p_map, GrassMap::Channel p_channel, const Rect2 &p_region, bool p_is_float, Ref<Image> &r_image) {
+PictureProblem make_picture(
+		const GrassMap &p_map, GrassMap::Channel p_channel, const Rect2 &p_region, bool p_is_float, Ref<Image> &r_image) {
 	TexelRect rect;
 	if (PictureProblem problem = find_rect(p_map, p_channel, p_region, rect); problem.error != OK) {
 		return problem;
@@ -153,8 +154,8 @@ PictureProblem lay_image(GrassMap &r_map, GrassMap::Channel p_channel, const Ref
 		return refuse(refusal.is_empty() ? vformat("the picture %s", text_of(reason)) : refusal, ERR_INVALID_DATA);
 	}
 	if (laid.clamped > 0) {
-		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label,
-				int64_t(laid.clamped), info.name, info.value(info.lowest), info.value(info.highest)));
+		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label, int64_t(laid.clamped),
+				info.name, info.value(info.lowest), info.value(info.highest)));
 	}
 	return {};
 }

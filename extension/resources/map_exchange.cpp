@@ -30,8 +30,7 @@ bool apply_changes_to(GrassMap &r_map, const PackedByteArray &p_changes) {
 		limits.regions.push_back(region);
 	}
 	const String label = r_map.label(); // a listener may free the map
-	const auto applied =
-			r_map.change_chunks([&](PaintMap &r_changed) { return apply_changes(bytes, engine_codec(), r_changed, limits); });
+	const auto applied = r_map.change_chunks([&](PaintMap &r_changed) { return apply_changes(bytes, engine_codec(), r_changed, limits); });
 	if (!applied) {
 		return false;
 	}

@@ -27,8 +27,7 @@ template <auto FUNCTION, typename Class, typename R, typename... A> struct FreeC
 };
 
 // p_definition: without the object, which is the function's first argument. p_defaults: of the last arguments.
-template <auto FUNCTION, typename... Defaults>
-void bind_free(const godot::MethodDefinition &p_definition, const Defaults &...p_defaults) {
+template <auto FUNCTION, typename... Defaults> void bind_free(const godot::MethodDefinition &p_definition, const Defaults &...p_defaults) {
 	godot::ClassDB::bind_method(p_definition, FreeCall<FUNCTION>::METHOD, p_defaults...);
 }
 

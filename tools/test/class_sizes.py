@@ -18,7 +18,6 @@ LARGER = {
 	"extension/core/tiles/tiles.h": 798,
 	"extension/editor/brush_toolbar.h": 601,
 	"extension/editor/grass_editor_plugin.h": 784,
-	"extension/field/standing_field.h": 574,
 	"extension/gpu/gpu_backend.h": 456,
 	"extension/gpu/gpu_field.h": 793,
 	"extension/ground/field_terrain.h": 458,
