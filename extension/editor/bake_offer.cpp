@@ -18,7 +18,8 @@ constexpr int RAYS_A_SIDE = 7; // rays along each side of the field
 constexpr double HIDDEN_BY_GRASS = 0.1; // metres from the plane: grass hides that much
 
 bool is_baked(const GrassField &p_field) {
-	return !p_field.get_terrain().is_empty() || (p_field.get_map().is_valid() && p_field.get_map()->get_map().uses(MAP_GROUND));
+	return !p_field.get_parts().sources.get_terrain().is_empty() ||
+			(p_field.get_map().is_valid() && p_field.get_map()->get_map().uses(MAP_GROUND));
 }
 
 } // namespace
@@ -29,12 +30,12 @@ String find_bake_offer(const GrassField &p_field) {
 		return String();
 	}
 	rays.stand(p_field);
-	rays.keep_within(p_field.get_ground_band());
+	rays.keep_within(p_field.get_parts().settings.get_ground_band());
 	double low = 0.0, high = 0.0;
 	for (int i = 0; i < RAYS_A_SIDE * RAYS_A_SIDE; i++) {
 		const Eigen::Vector2d ray(i % RAYS_A_SIDE, std::div(i, RAYS_A_SIDE).quot);
 		const Eigen::Vector2d share = (ray.array() + 0.5) / RAYS_A_SIDE - 0.5;
-		const double height = rays.height_at(share.cwiseProduct(to_eigen(p_field.get_size())));
+		const double height = rays.height_at(share.cwiseProduct(to_eigen(p_field.get_parts().settings.get_size())));
 		low = std::fmin(low, height); // NaN, where there is no ground, changes nothing
 		high = std::fmax(high, height);
 	}

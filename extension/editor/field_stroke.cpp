@@ -21,8 +21,9 @@ constexpr double LARGEST_BAKE = 65536.0; // most m^2 that a new map reads at onc
 
 Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes) {
 	p_field->make_map();
-	if (p_bakes && p_field->get_terrain().is_empty() && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
-		p_field->bake_whole_ground();
+	if (p_bakes && p_field->get_parts().sources.get_terrain().is_empty() &&
+			p_field->get_parts().settings.get_size().x * p_field->get_parts().settings.get_size().y <= LARGEST_BAKE) {
+		p_field->get_parts().work.bake_whole_ground();
 	}
 	return p_field->get_map();
 }
@@ -54,7 +55,7 @@ std::optional<FieldStep> step_over(
 	const Eigen::Vector3d from = moved(p_step.from), to = moved(p_step.to);
 	const FieldStep over{ { { from.x(), from.z() }, { to.x(), to.z() } }, to.y(),
 		std::atan2(to_field.linear()(2, 0), to_field.linear()(0, 0)) };
-	const bool is_over = p_field.get_ground_band().contains(over.level) &&
+	const bool is_over = p_field.get_parts().settings.get_ground_band().contains(over.level) &&
 			(is_reached(p_field, over.step.from, p_radius) || is_reached(p_field, over.step.to, p_radius));
 	return is_over ? std::optional<FieldStep>(over) : std::nullopt;
 }
@@ -63,7 +64,7 @@ FieldStroke::FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground, Gr
 		_field_id(p_field->get_instance_id()),
 		_map(p_field->get_map()),
 		_new_map(_map.is_null()),
-		_bakes(p_bakes && p_is_ground && p_field->get_terrain().is_empty()) {
+		_bakes(p_bakes && p_is_ground && p_field->get_parts().sources.get_terrain().is_empty()) {
 	if (_new_map) {
 		_map = add_map(p_field, p_bakes);
 	}
@@ -102,13 +103,13 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 	}
 	GroundRays rays(field->get_world_3d(), field->field_transform());
 	rays.stand(*field);
-	rays.keep_within(field->get_ground_band());
+	rays.keep_within(field->get_parts().settings.get_ground_band());
 	const double radius = 0.5 * (p_shape.get_max() - p_shape.get_min()).maxCoeff();
 	const double span = search_height(radius + border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
 	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place, p_level - span, p_level + span); };
 	const auto between = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); };
-	const LedgeSearch search{ between, field->get_param(PARAM_LEDGE_SLOPE) };
+	const LedgeSearch search{ between, field->get_parts().settings.get_param(PARAM_LEDGE_SLOPE) };
 	const bool is_first = is_all_ground_in(_map->get_map(), region);
 	const GroundGrid grid = is_first ? search_grid(rays, region, field->field_transform()) : _map->get_map().get_ground_grid();
 	const LaidGround laid = _map->change([&](PaintMap &r_map) {

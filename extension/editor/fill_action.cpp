@@ -31,7 +31,7 @@ void fill_own(GrassField &r_field) {
 	const bool is_new = r_field.get_map().is_null();
 	const Ref<GrassMap> map = is_new ? add_map(&r_field, false) : r_field.get_map();
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
-	r_field.fill_whole(r_field.get_fill_rule());
+	r_field.get_parts().sources.fill_whole(r_field.get_fill_rule());
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
 	const MapStep step{ map, before, is_new ? &r_field : nullptr };
 	add_map_steps(history, "Fill Grass", &r_field, { &step, 1 });

@@ -23,7 +23,7 @@ uint64_t edited_scene() {
 } // namespace
 
 void GrassClipboard::copy_field(const GrassField &p_field) {
-	copy(p_field, Eigen::Vector2d::Zero(), 0.5 * to_eigen(p_field.get_size()), false);
+	copy(p_field, Eigen::Vector2d::Zero(), 0.5 * to_eigen(p_field.get_parts().settings.get_size()), false);
 }
 
 void GrassClipboard::copy_circle(const GrassField &p_field, const Eigen::Vector2d &p_middle, double p_radius) {

@@ -67,7 +67,7 @@ void GrassEditorPlugin::_bake_pressed() {
 	_frames_to_offer = 0;
 	bool found = false;
 	change_maps("Bake Grass Ground", [&found](GrassField &r_field, GrassMap &) {
-		const bool is_here = r_field.bake_whole_ground() > 0;
+		const bool is_here = r_field.get_parts().work.bake_whole_ground() > 0;
 		found = found || is_here;
 		return is_here;
 	});

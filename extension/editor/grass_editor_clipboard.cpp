@@ -30,7 +30,8 @@ bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
 		return false;
 	}
 	finish_stroke();
-	if (p_item == BrushToolbar::MENU_COPY && !is_too_large(double(field->get_size().x) * double(field->get_size().y))) {
+	const Vector2 size = field->get_parts().settings.get_size();
+	if (p_item == BrushToolbar::MENU_COPY && !is_too_large(double(size.x) * double(size.y))) {
 		_clipboard.copy_field(*field);
 		toast("GrassField: copied what is painted in the field.", EditorToaster::SEVERITY_INFO);
 	} else if (p_item == BrushToolbar::MENU_PASTE) {

@@ -28,13 +28,14 @@ StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
 
 // Returns the field that the cursor points at; the selected one if it is none's ground.
 GrassField *find_asked(const PaintedFields &p_asked, const Vector3 &p_place) {
-	const auto found = std::ranges::find_if(p_asked.fields, [&](const GrassField *p_field) { return p_field->has_level_at(p_place); });
+	const auto found = std::ranges::find_if(
+			p_asked.fields, [&](const GrassField *p_field) { return p_field->get_parts().queries.has_level_at(p_place); });
 	return found != p_asked.fields.end() ? *found : p_asked.fields[0];
 }
 
 // Names the field if it is not the selected one.
 String answer_of(const PaintedFields &p_asked, GrassField *p_field, const Vector3 &p_place, const Camera3D *p_camera) {
-	const String text = p_field->explain(p_place, p_camera)["text"];
+	const String text = p_field->get_report().explain(p_place, p_camera)["text"];
 	const bool is_other = p_asked.world == nullptr && p_field != p_asked.chosen;
 	return is_other ? vformat("%s: %s", p_field->get_name(), text) : text;
 }

@@ -29,9 +29,9 @@ real_t shrink_of(const Camera3D *p_camera) {
 GroundRays rays_in(const PaintedFields &p_painted) {
 	GroundRays rays(p_painted.chosen->get_world_3d(), to_godot(Eigen::Affine3d(p_painted.space)));
 	rays.stand(*p_painted.chosen);
-	FieldGround ground = p_painted.fields[0]->get_ground_band();
+	FieldGround ground = p_painted.fields[0]->get_parts().settings.get_ground_band();
 	for (const GrassField *field : p_painted.fields) {
-		ground = field->get_ground_band().joined(ground);
+		ground = field->get_parts().settings.get_ground_band().joined(ground);
 	}
 	rays.keep_within(ground);
 	return rays;
@@ -52,8 +52,8 @@ bool is_on_plane(const GrassField &p_field, const Eigen::Vector3d &p_place, doub
 std::optional<Eigen::Vector3d> hit_ground(
 		const PaintedFields &p_painted, const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_way, double p_far, double p_margin) {
 	GroundRays rays = rays_in(p_painted);
-	const bool has_bands =
-			std::ranges::any_of(p_painted.fields, [](const GrassField *p_field) { return !p_field->get_ground_band().is_whole(); });
+	const bool has_bands = std::ranges::any_of(
+			p_painted.fields, [](const GrassField *p_field) { return !p_field->get_parts().settings.get_ground_band().is_whole(); });
 	double from = 0.0;
 	for (int i = 0; i < (has_bands ? MOST_PASSED : 1); i++) {
 		const auto hit = rays.cast(p_from + from * p_way, p_from + p_far * p_way);

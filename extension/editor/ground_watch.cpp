@@ -39,8 +39,8 @@ constexpr double TERRAIN = 1000.0;
 // Returns whether the map has ground. Level ground at the field's height leaves no trace in the map; small fields are baked as a whole with
 // their first stroke. The field itself reads the ground of a terrain.
 bool has_ground(const GrassField &p_field) {
-	const Vector2 size = p_field.get_size();
-	return p_field.get_terrain().is_empty() && p_field.get_map().is_valid() &&
+	const Vector2 size = p_field.get_parts().settings.get_size();
+	return p_field.get_parts().sources.get_terrain().is_empty() && p_field.get_map().is_valid() &&
 			(p_field.get_map()->get_map().uses(MAP_GROUND) || size.x * size.y <= LARGEST_REGION);
 }
 
@@ -61,7 +61,7 @@ std::vector<uint64_t> ids_of_fields(Node *p_root) {
 }
 
 MapRegion region_of(const GrassField &p_field) {
-	const Eigen::Vector2d half = 0.5 * to_eigen(p_field.get_size());
+	const Eigen::Vector2d half = 0.5 * to_eigen(p_field.get_parts().settings.get_size());
 	return MapRegion{ -half, half }.grown(TEXEL); // includes the texels that the outermost blades blend with
 }
 
@@ -264,7 +264,7 @@ bool GroundWatch::read_on(int64_t p_most) {
 		_pieces.pop_front();
 		return true;
 	}
-	rays.keep_within(field->get_ground_band());
+	rays.keep_within(field->get_parts().settings.get_ground_band());
 	Eigen::AlignedBox3d left = piece.left;
 	if (!left.isEmpty()) { // heights in the map are rounded
 		left.min().y() -= TEXEL;
@@ -278,7 +278,8 @@ bool GroundWatch::read_on(int64_t p_most) {
 	};
 	const GroundGrid &grid = field->get_map()->get_map().get_ground_grid();
 	if (!piece.reading || !(piece.reading->get_rule().grid == grid)) {
-		piece.reading.emplace(piece.region, GroundRule{ MissingGround::STAYS, field->get_param(PARAM_LEDGE_SLOPE), false, grid });
+		piece.reading.emplace(
+				piece.region, GroundRule{ MissingGround::STAYS, field->get_parts().settings.get_param(PARAM_LEDGE_SLOPE), false, grid });
 	}
 	const int64_t sampled = piece.reading->get_sampled();
 	const bool is_done = piece.reading->read(height_at, height_at, p_most);

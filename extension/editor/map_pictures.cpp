@@ -13,7 +13,7 @@ namespace {
 
 // Returns the field's rectangle in its own map.
 Rect2 area_of(const GrassField &p_field) {
-	return { p_field.get_size() * -0.5f, p_field.get_size() };
+	return { p_field.get_parts().settings.get_size() * -0.5f, p_field.get_parts().settings.get_size() };
 }
 
 // Returns a region of the fields' parent in the map of p_field.
@@ -25,7 +25,7 @@ Rect2 to_map_of(const GrassField &p_field, const MapRegion &p_region) {
 // Returns the field's rectangle in its parent.
 MapRegion in_parent(const GrassField &p_field) {
 	const Eigen::Vector3d centre = to_eigen(p_field.get_position());
-	const Eigen::Vector2d place(centre.x(), centre.z()), half = 0.5 * to_eigen(p_field.get_size());
+	const Eigen::Vector2d place(centre.x(), centre.z()), half = 0.5 * to_eigen(p_field.get_parts().settings.get_size());
 	return { place - half, place + half };
 }
 
@@ -51,7 +51,7 @@ bool MapPictures::note(const GrassField &p_field, const PictureProblem &p_proble
 void MapPictures::write(const GrassField &p_field) {
 	const Ref<GrassMap> map = p_field.get_map();
 	note(p_field,
-			map.is_valid() ? map->write_picture(_channel, path_of(p_field), area_of(p_field))
+			map.is_valid() ? write_picture(**map, _channel, path_of(p_field), area_of(p_field))
 						   : PictureProblem{ ERR_DOES_NOT_EXIST, "the field has no map yet. Paint it first." });
 }
 
@@ -60,7 +60,7 @@ bool MapPictures::read(GrassField &r_field) {
 	if (_world != nullptr && !FileAccess::file_exists(path)) { // a plot that has no picture stays as it is
 		return false;
 	}
-	if (!note(r_field, r_field.get_map()->read_picture(_channel, path, area_of(r_field)))) {
+	if (!note(r_field, read_picture(**r_field.get_map(), _channel, path, area_of(r_field)))) {
 		return false;
 	}
 	for (size_t n = 0; _world != nullptr && n + 1 < _fields.size(); n++) {
@@ -74,8 +74,8 @@ bool MapPictures::read(GrassField &r_field) {
 void MapPictures::sew(const GrassField &p_from, const GrassField &p_to) {
 	const MapRegion strip = in_parent(p_from).shared(in_parent(p_to).grown(MapLayers::CHANGE_MARGIN));
 	if (strip.has_area()) {
-		const Ref<Image> edge = p_from.get_map()->get_channel_image(_channel, to_map_of(p_from, strip), true);
-		p_to.get_map()->set_channel_image(_channel, edge, to_map_of(p_to, strip));
+		const Ref<Image> edge = get_channel_image(**p_from.get_map(), _channel, to_map_of(p_from, strip), true);
+		set_channel_image(**p_to.get_map(), _channel, edge, to_map_of(p_to, strip));
 	}
 }
 

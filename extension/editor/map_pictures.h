@@ -2,6 +2,7 @@
 // Pictures of the maps of a field or of a world's plots: a plot has a picture of its own, NAME_X_Z.png.
 #pragma once
 
+#include "resources/channel_images.h"
 #include "world/grass_world.h"
 
 #include <vector>

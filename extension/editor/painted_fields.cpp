@@ -49,14 +49,14 @@ Eigen::Isometry3d to_field_of(const GrassField &p_field) {
 }
 
 bool is_reached(const GrassField &p_field, const Eigen::Vector2d &p_place, double p_radius) {
-	const Eigen::Array2d half = 0.5 * to_eigen(p_field.get_size()).array();
+	const Eigen::Array2d half = 0.5 * to_eigen(p_field.get_parts().settings.get_size()).array();
 	return ((p_place.array().abs() - half).max(0.0)).matrix().norm() <= p_radius;
 }
 
 bool is_ground_of(const GrassField &p_field, const Eigen::Vector3d &p_place, double p_margin) {
-	const Eigen::Array2d limit = 0.5 * to_eigen(p_field.get_size()).array() + p_margin;
+	const Eigen::Array2d limit = 0.5 * to_eigen(p_field.get_parts().settings.get_size()).array() + p_margin;
 	return p_place.allFinite() && std::abs(p_place.x()) <= limit.x() && std::abs(p_place.z()) <= limit.y() &&
-			p_field.get_ground_band().contains(p_place.y());
+			p_field.get_parts().settings.get_ground_band().contains(p_place.y());
 }
 
 PaintedFields painted_field(GrassField *p_field) {

@@ -50,7 +50,7 @@ void SizeHandles::_redraw(const Ref<EditorNode3DGizmo> &p_gizmo) {
 		return;
 	}
 	const Transform3D to_node = field->get_global_transform().affine_inverse() * field->field_transform();
-	const Vector2 half = field->get_size() / real_t(2);
+	const Vector2 half = field->get_parts().settings.get_size() / real_t(2);
 	const auto place = [&](real_t p_x, real_t p_z) { return to_node.xform(Vector3(p_x * half.x, 0, p_z * half.y)); };
 	PackedVector3Array lines, handles;
 	const Vector3 corners[] = { place(-1, -1), place(1, -1), place(1, 1), place(-1, 1) };
@@ -71,7 +71,7 @@ String SizeHandles::_get_handle_name(const Ref<EditorNode3DGizmo> &, int32_t p_h
 
 Variant SizeHandles::_get_handle_value(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t, bool) const {
 	const GrassField *field = field_of(p_gizmo);
-	return field == nullptr ? Vector2() : field->get_size();
+	return field == nullptr ? Vector2() : field->get_parts().settings.get_size();
 }
 
 // Both sides move, since the map is relative to the centre: what was painted stays where it is.
@@ -86,9 +86,9 @@ void SizeHandles::_set_handle(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t p_h
 			to_field.linear() * to_eigen(p_camera->project_ray_normal(p_mouse)));
 	const double size = place ? snapped(2.0 * *place) : 0.0;
 	if (size > 0.0) { // a handle dragged past the centre has no effect
-		Vector2 changed = field->get_size();
+		Vector2 changed = field->get_parts().settings.get_size();
 		(p_handle < 2 ? changed.x : changed.y) = real_t(size);
-		field->set_size(changed);
+		field->get_parts().settings.set_size(changed);
 	}
 }
 
@@ -98,12 +98,12 @@ void SizeHandles::_commit_handle(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t,
 		return;
 	}
 	if (p_cancel) {
-		field->set_size(p_before);
+		field->get_parts().settings.set_size(p_before);
 		return;
 	}
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
 	history->create_action("Resize Grass Field", UndoRedo::MERGE_DISABLE, field);
-	history->add_do_property(field, "size", field->get_size());
+	history->add_do_property(field, "size", field->get_parts().settings.get_size());
 	history->add_undo_property(field, "size", p_before);
 	history->commit_action();
 }

@@ -15,23 +15,25 @@ using namespace godot;
 namespace grass {
 
 void FieldForces::blast(const Vector3 &p_place, double p_speed, double p_radius, double p_duration) {
+	_host.stir();
 	ERR_FAIL_COND_MSG(!p_place.is_finite(), _host.message("blast() needs a finite position."));
 	Force force;
 	force.place = to_eigen(p_place);
-	push(force, p_speed, p_radius, p_duration);
+	add_push(force, p_speed, p_radius, p_duration);
 }
 
 void FieldForces::push(const Vector3 &p_place, const Vector3 &p_velocity, double p_radius, double p_duration) {
+	_host.stir();
 	ERR_FAIL_COND_MSG(
 			!p_place.is_finite() || !p_velocity.is_finite(), _host.message("push() needs a finite position and a finite velocity."));
 	Force force;
 	force.kind = ForceKind::WIND;
 	force.place = to_eigen(p_place);
 	force.direction = to_eigen(p_velocity);
-	push(force, p_velocity.length(), p_radius, p_duration);
+	add_push(force, p_velocity.length(), p_radius, p_duration);
 }
 
-void FieldForces::push(Force &r_force, double p_speed, double p_radius, double p_duration) {
+void FieldForces::add_push(Force &r_force, double p_speed, double p_radius, double p_duration) {
 	r_force.speed = checked(FORCE_SPEED, p_speed, _host.label());
 	r_force.radius = checked(FORCE_RADIUS, p_radius, _host.label());
 	r_force.duration = checked(FORCE_DURATION, p_duration, _host.label());
@@ -72,7 +74,7 @@ void FieldForces::gather(const Vector2 &p_size) {
 	for (const Force &wind : _areas.get_forces()) {
 		add(wind, to_field, p_size);
 	}
-	const Ref<World3D> world = _host.as_node().get_world_3d();
+	const Ref<World3D> world = _host.node().get_world_3d();
 	for (GrassForce3D *node : GrassForce3D::get_blowing()) {
 		if (node->get_world_3d() == world) {
 			add(node->get_force(), to_field, p_size);

@@ -30,7 +30,7 @@ public:
 	int get_left_out() const { return _left_out; }
 
 private:
-	void push(Force &r_force, double p_speed, double p_radius, double p_duration);
+	void add_push(Force &r_force, double p_speed, double p_radius, double p_duration);
 	void add(const Force &p_force, const godot::Transform3D &p_to_field, const godot::Vector2 &p_size);
 
 	FieldHost &_host;

@@ -4,7 +4,7 @@
 
 #include "resources/grass_map.h"
 
-#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
@@ -14,7 +14,7 @@ class FieldHost {
 public:
 	virtual ~FieldHost() = default;
 
-	virtual const godot::Node3D &as_node() const = 0;
+	virtual godot::GeometryInstance3D &node() = 0;
 	virtual godot::Transform3D field_transform() const = 0; // global, without scale
 	// The transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it equals
 	// field_transform().
@@ -23,7 +23,12 @@ public:
 	[[nodiscard]] virtual bool stand() = 0;
 	// Reads what scripts have a part in of the field to be made: ground, fill, meshes. Returns false if one of them freed the field.
 	[[nodiscard]] virtual bool read_scene() = 0;
+	virtual void stir() = 0; // must be called after any change that a tick or a frame has to follow
+	virtual void request_rebuild() = 0; // makes the field again, as the properties describe it
+	virtual void warn(const godot::String &p_warning) const = 0; // in the console
 	virtual void report_warnings() = 0; // new ones, once each
+	virtual void show_warnings() = 0; // beside the node in the editor
+	virtual void make_map() = 0; // a new one, with grass everywhere
 	// Returns the map that a game changes. A field without a map gets one on which grass grows everywhere, as it did before. Returns null
 	// and reports an error that names p_method if the field is outside of the tree. Also returns null if a script that ran meanwhile freed
 	// the field.

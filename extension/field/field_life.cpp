@@ -26,7 +26,7 @@ void FieldLife::leave() {
 bool FieldLife::advance() {
 	const bool is_refused = _standing.is_refused();
 	report_refusals(); // before warnings about their consequences
-	if (_is_reading || !_node.is_inside_tree() || !(is_waiting() || is_refused || _standing.is_look_waiting())) {
+	if (_is_reading || !_host.node().is_inside_tree() || !(is_waiting() || is_refused || _standing.get_picture().is_look_waiting())) {
 		return true;
 	}
 	CpuClock clock;
@@ -53,10 +53,10 @@ bool FieldLife::make() {
 		return false;
 	}
 	_is_reading = false;
-	if (is_waiting() && _node.is_inside_tree() && prepare(turn)) {
+	if (is_waiting() && _host.node().is_inside_tree() && prepare(turn)) {
 		const bool is_outdated = _stage == Stage::OUTDATED;
 		_wanted.setup.pool_size = find_pool_size(_properties, _wanted.setup); // the level of quality may have changed meanwhile
-		_standing.make(std::exchange(_wanted, {}), _properties.is_streamed && !_node.is_visible());
+		_standing.make(std::exchange(_wanted, {}), _properties.is_streamed && !_host.node().is_visible());
 		_stage = is_outdated ? Stage::ASKED : Stage::MADE;
 		_makings++;
 		_is_new = true;
@@ -114,12 +114,12 @@ bool FieldLife::prepare_map(FrameShare::Turn &r_turn) {
 }
 
 void FieldLife::show() {
-	if (_standing.is_look_waiting() && !_standing.show(&_node, _host.field_transform())) {
+	if (_standing.get_picture().is_look_waiting() && !_standing.show(&_host.node(), _host.field_transform())) {
 		_properties.hook.reject();
-		_standing.show(&_node, _host.field_transform());
+		_standing.show(&_host.node(), _host.field_transform());
 		_is_new = true;
 	}
-	_stage = _stage == Stage::MADE && _standing.is_shown() ? Stage::SHOWN : _stage;
+	_stage = _stage == Stage::MADE && _standing.get_picture().is_shown() ? Stage::SHOWN : _stage;
 }
 
 void FieldLife::add_to(FieldStatistics &r_statistics) const {

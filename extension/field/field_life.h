@@ -9,8 +9,6 @@
 #include "field/standing_field.h"
 #include "field/wanted_field.h"
 
-#include <godot_cpp/classes/geometry_instance3d.hpp>
-
 #include <memory>
 
 namespace grass {
@@ -27,8 +25,8 @@ public:
 		SHOWN, // the whole picture is made
 	};
 
-	FieldLife(FieldHost &p_host, godot::GeometryInstance3D &p_node, FieldProperties &p_properties, StandingField &p_standing) :
-			_host(p_host), _node(p_node), _properties(p_properties), _standing(p_standing) {}
+	FieldLife(FieldHost &p_host, FieldProperties &p_properties, StandingField &p_standing) :
+			_host(p_host), _properties(p_properties), _standing(p_standing) {}
 
 	// Requests the field that the properties describe. Call it once or often after changes; advance() makes the field.
 	void ask();
@@ -45,7 +43,7 @@ public:
 	Stage get_stage() const { return _stage; }
 	bool is_waiting() const { return _stage == Stage::ASKED || is_preparing(); }
 	// Returns whether advance() has nothing to do until ask() is called, or the driver refuses a pass.
-	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.is_look_waiting(); }
+	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.get_picture().is_look_waiting(); }
 	ShownMap *get_map() const { return _wanted.map.get(); } // the map that waits to be shown, or null
 	double get_most_ms() const { return _most_ms; } // most milliseconds in one frame since the last ask()
 	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes
@@ -60,7 +58,6 @@ private:
 	void show();
 
 	FieldHost &_host;
-	godot::GeometryInstance3D &_node;
 	FieldProperties &_properties;
 	StandingField &_standing;
 	Stage _stage = Stage::NONE;

@@ -10,14 +10,18 @@ using namespace godot;
 
 namespace grass {
 
-Vector2i FieldPlaces::get_tile_at(const Vector3 &p_global) const {
+std::optional<TilePlace> FieldPlaces::find_tile(const Vector3 &p_global) const {
 	const Eigen::Vector3d place = from_global(p_global);
 	if (!place.allFinite()) {
-		return Vector2i(-1, -1);
+		return {};
 	}
 	const TileGrid grid = _standing.get_grid();
 	const TilePlace tile = grid.get_place(place);
-	return grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
+	return grid.has_tile(tile.x, tile.z) ? std::optional(tile) : std::nullopt;
+}
+
+Vector2i to_script(const std::optional<TilePlace> &p_tile) {
+	return p_tile ? Vector2i(p_tile->x, p_tile->z) : Vector2i(-1, -1);
 }
 
 Vector3 FieldPlaces::get_tile_centre(const Vector2i &p_tile) const {
@@ -60,9 +64,9 @@ std::vector<BladeNumber> FieldPlaces::find_blades(const Vector3 &p_global, doubl
 	return _standing.get_field().find_blades({ place.x(), place.z() }, p_radius);
 }
 
-// 0 outside of the field and of its band, and where none stands.
+// Returns 0 outside of the field and of its band, and if no field runs.
 template <typename F> double FieldPlaces::read_at(const Vector3 &p_global, F &&p_read) const {
-	if (!_standing.stands() || !p_global.is_finite() || get_tile_at(p_global) == Vector2i(-1, -1)) {
+	if (!_standing.stands() || !p_global.is_finite() || !find_tile(p_global)) {
 		return 0.0;
 	}
 	const Eigen::Vector3d place = from_global(p_global);
@@ -93,8 +97,8 @@ Vector3 FieldPlaces::bend_at(const Vector3 &p_global) const {
 		return Vector3();
 	}
 	const Field &field = _standing.get_field();
-	const Vector2i tile = get_tile_at(p_global);
-	const Eigen::Vector3d bend = field.get_tiles().get_bend(field.get_grid().get_index(tile.x, tile.y)).cast<double>();
+	const TilePlace tile = *find_tile(p_global);
+	const Eigen::Vector3d bend = field.get_tiles().get_bend(field.get_grid().get_index(tile.x, tile.z)).cast<double>();
 	return to_godot(Eigen::Vector3d(_to_world.linear() * bend));
 }
 

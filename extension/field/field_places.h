@@ -8,6 +8,7 @@
 
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@ public:
 	FieldPlaces(const StandingField &p_standing, const godot::Transform3D &p_transform, const GroundBand &p_band) :
 			_standing(p_standing), _to_world(to_eigen(p_transform)), _band(p_band) {}
 
-	godot::Vector2i get_tile_at(const godot::Vector3 &p_global) const; // (-1, -1) outside of the field
+	std::optional<TilePlace> find_tile(const godot::Vector3 &p_global) const; // nothing outside of the field
 	godot::Vector3 get_tile_centre(const godot::Vector2i &p_tile) const; // global
 	// Reads the field as it is drawn. Knots are global, without wind, GRASS_KNOTS for each blade.
 	enum class Knots {
@@ -46,5 +47,8 @@ private:
 	Eigen::Affine3d _to_world;
 	GroundBand _band;
 };
+
+// Returns its column and row; (-1, -1) if there is none.
+godot::Vector2i to_script(const std::optional<TilePlace> &p_tile);
 
 } // namespace grass

@@ -7,6 +7,7 @@
 #include "physics/ground_rays.h"
 #include "physics/ground_sheet.h"
 #include "physics/node_colliders.h"
+#include "resources/map_painting.h"
 #include "shared/convert.h"
 #include "shared/params.h"
 #include "shared/script_call.h"
@@ -43,8 +44,8 @@ Eigen::Affine3d FieldWork::to_field() const {
 	return to_eigen(_host.field_transform()).inverse(Eigen::Isometry);
 }
 
-// p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region, and without one for
-// what is beyond the band of its ground.
+// Finds the footprint of a shape; a null shape has none, which means the whole field. Returns false and reports an error if the shape
+// or its transform cannot be used. Returns false without an error if the shape is outside the band of the field's ground.
 bool FieldWork::find_region(
 		const char *p_method, const Ref<Shape3D> &p_shape, const Transform3D &p_transform, std::optional<Footprint> &r_footprint) const {
 	if (p_shape.is_null()) {
@@ -60,7 +61,7 @@ bool FieldWork::find_region(
 	return _properties.ground_band().meets(bounds.min.y(), bounds.max.y());
 }
 
-// Says so if it is. A call that is refused does nothing at all.
+// Reports an error if it is. A call that is refused does nothing at all.
 bool FieldWork::is_too_large(const char *p_method, double p_area, int64_t p_most, const char *p_remedy) const {
 	const char *limit = p_most == AREA_MAX ? "AREA_MAX" : "RAYS_AREA_MAX";
 	ERR_FAIL_COND_V_MSG(p_area > double(p_most), true,
@@ -132,13 +133,13 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 	const Transform3D to_field = _host.field_transform().affine_inverse();
 	const Vector3 from = to_field.xform(p_from), to = to_field.xform(p_to);
 	const Vector2 start(from.x, from.z), end(to.x, to.z);
-	const String problem = GrassMap::problem_of_stroke(p_brush, start, end);
+	const String problem = problem_of_stroke(p_brush, start, end);
 	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, _host.message("paint(): " + problem));
 	const GroundBand band = _properties.ground_band();
 	if (!band.meets(std::min(from.y, to.y), std::max(from.y, to.y))) {
 		return 0.0;
 	}
-	return map->stroke_within(p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
+	return stroke_within(*map, p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
 }
 
 double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {
@@ -168,10 +169,10 @@ bool FieldWork::wear_tracks(const VehicleWheels &p_wheels, double p_delta) {
 	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
 	const std::vector<VehicleWheels::Slip> slips = wear > 0.0 ? p_wheels.find_slips() : std::vector<VehicleWheels::Slip>();
 	for (const VehicleWheels::Slip &slip : slips) {
-		if (!outlives(_host.as_node(), [&] { trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0)); })) {
+		if (!outlives(_host.node(), [&] { trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0)); })) {
 			return false;
 		}
-		if (!_host.as_node().is_inside_tree()) {
+		if (!_host.node().is_inside_tree()) {
 			break;
 		}
 	}
@@ -199,7 +200,7 @@ MapRegion FieldWork::ground() const {
 	return { -half, half };
 }
 
-// What of p_region lies at the field; nothing, with an error, if none of it does.
+// Returns the part of p_region that is at the field; nothing, with an error, if no part is.
 std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
 	const MapRegion whole = ground().grown(GROUND_BORDER);
 	if (!p_region.has_area()) {
@@ -211,7 +212,7 @@ std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
 	return shared;
 }
 
-// The grid by which ground is laid in p_region: as it was found, unless the map keeps other ground.
+// Returns the grid by which ground is laid in p_region: the found one, unless the map keeps other ground.
 GroundGrid FieldWork::grid_for(const MapRegion &p_region, const GroundGrid &p_found) const {
 	const bool is_free = _properties.map.is_null() || is_all_ground_in(_properties.map->get_map(), p_region);
 	return is_free ? p_found : _properties.map->get_map().get_ground_grid();
@@ -223,7 +224,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const GroundGrid &p_
 		return 0;
 	}
 	int64_t found = 0;
-	const MapRegion told = p_region.grown(GROUND_BORDER); // of texels farther away only ledges need to know
+	const MapRegion told = p_region.grown(GROUND_BORDER); // texels farther away are read for ledges alone, and do not count
 	map->change([&](PaintMap &r_map) {
 		const auto counted = [&](const Eigen::Vector2d &p_place) {
 			const double height = p_height(p_place);
@@ -237,13 +238,14 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const GroundGrid &p_
 	return found;
 }
 
-int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask, bool p_is_bounded) {
+// p_is_bounded: to RAYS_AREA_MAX, as for scripts.
+int64_t FieldWork::bake(const Rect2 &p_region, int64_t p_mask, bool p_is_bounded) {
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a finite region, or an empty one."));
-	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
+	ERR_FAIL_COND_V_MSG(!_host.node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
 	ERR_FAIL_COND_V_MSG(_properties.ground_band().is_empty(), 0,
 			_host.message("bake_ground() finds nothing: `ground_low` is not below `ground_high`. Lower it, or raise `ground_high`."));
-	GroundRays rays(_host.as_node().get_world_3d(), _host.field_transform(), p_mask);
-	rays.stand(_host.as_node());
+	GroundRays rays(_host.node().get_world_3d(), _host.field_transform(), p_mask);
+	rays.stand(_host.node());
 	rays.keep_within(_properties.ground_band());
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			_host.message("the physics space is locked now. If physics runs on a thread of its own, call bake_ground() in "
@@ -262,7 +264,7 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask, bool p_is_
 }
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
-	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
+	ERR_FAIL_COND_V_MSG(!_host.node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a finite transform."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
@@ -282,7 +284,7 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 			[&](const Eigen::Vector2d &p_place) { return sheet.between(p_place); });
 }
 
-Dictionary to_dictionary(const CutResult &p_cut) {
+Dictionary to_script(const CutResult &p_cut) {
 	Dictionary result;
 	result["area"] = p_cut.area;
 	result["volume"] = p_cut.volume;

@@ -41,8 +41,8 @@ public:
 
 	// Read the shape of the ground into the map, over a rectangle (field space, x and z in metres) or, if that is empty, over the whole
 	// field. Return the number of places with ground, one for each square metre.
-	// p_is_bounded: to AREA_MAX, as for scripts.
-	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask, bool p_is_bounded);
+	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask) { return bake(p_region, p_mask, true); }
+	int64_t bake_whole_ground() { return bake(godot::Rect2(), FieldGround::ALL_LAYERS, false); } // for the editor: however large it is
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
 private:
@@ -55,6 +55,7 @@ private:
 	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
 	std::optional<MapRegion> bake_region(const godot::Rect2 &p_region) const;
+	int64_t bake(const godot::Rect2 &p_region, int64_t p_mask, bool p_is_bounded);
 	GroundGrid grid_for(const MapRegion &p_region, const GroundGrid &p_found) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const GroundGrid &p_grid, const HeightAt &p_height, const HeightAt &p_between);
 
@@ -64,7 +65,6 @@ private:
 	Recovery _recovery;
 };
 
-// Converts it to what GrassField.cut() returns.
-godot::Dictionary to_dictionary(const CutResult &p_cut);
+godot::Dictionary to_script(const CutResult &p_cut);
 
 } // namespace grass

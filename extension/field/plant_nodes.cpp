@@ -68,7 +68,7 @@ std::span<const StandingScene> PlantNodes::choose(
 		StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker, const Scenes &p_scenes) {
 	PlantSearch::Params params;
 	params.border_fade = float(p_properties.param(PARAM_BORDER_FADE));
-	params.most = _node.is_visible_in_tree() && follow_scale() ? int(p_properties.param(PARAM_PLANT_NODES_MAX)) : 0;
+	params.most = _host.node().is_visible_in_tree() && follow_scale() ? int(p_properties.param(PARAM_PLANT_NODES_MAX)) : 0;
 	bool has_any = false;
 	for (size_t s = 0; s < p_scenes.size(); s++) {
 		if (p_scenes[s].is_valid()) {
@@ -85,7 +85,7 @@ std::span<const StandingScene> PlantNodes::choose(
 	for (const auto &[blade, shown] : _shown) {
 		held.push_back(shown.plant);
 	}
-	return _search.choose(r_standing.get_field(), _eyes.find(_node, _host.field_transform(), p_tracker), params, held);
+	return _search.choose(r_standing.get_field(), _eyes.find(_host.node(), _host.field_transform(), p_tracker), params, held);
 }
 
 bool PlantNodes::update(StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker) {
@@ -136,7 +136,7 @@ bool PlantNodes::update(StandingField &r_standing, const FieldProperties &p_prop
 
 // The node's own scale does not count: what is below the holder stands as the grass does. Returns false if it cannot.
 bool PlantNodes::follow_scale() {
-	const Transform3D global = _node.get_global_transform();
+	const Transform3D global = _host.node().get_global_transform();
 	if (!global.is_finite() || global.basis.determinant() == 0.0) {
 		return false;
 	}
@@ -152,7 +152,7 @@ bool PlantNodes::follow_scale() {
 // Returns null if there is none, or not here any more: replace_by() gives all children of a node to another one.
 Node3D *PlantNodes::find_holder() const {
 	Node3D *holder = node_with(_holder);
-	return holder != nullptr && holder->get_parent() == &_node ? holder : nullptr;
+	return holder != nullptr && holder->get_parent() == &_host.node() ? holder : nullptr;
 }
 
 // Frees the one that replace_by() has given away, with what it still holds of a field that is freed.
@@ -173,7 +173,7 @@ Node3D *PlantNodes::need_holder() {
 	_holder = id;
 	made->set_name("Plants");
 	made->add_to_group(PLANT_GROUP);
-	if (!outlives(_node, [&] { _node.add_child(made, false, Node::INTERNAL_MODE_BACK); })) {
+	if (!outlives(_host.node(), [&] { _host.node().add_child(made, false, Node::INTERNAL_MODE_BACK); })) {
 		return nullptr;
 	}
 	follow_scale();
@@ -184,7 +184,7 @@ Node3D *PlantNodes::need_holder() {
 bool PlantNodes::make(const Scene &p_scene, int p_species, Node3D *&r_node) {
 	Node *made = nullptr;
 	const Scene scene = p_scene;
-	const bool is_there = outlives(_node, [&] { made = scene->can_instantiate() ? scene->instantiate() : nullptr; });
+	const bool is_there = outlives(_host.node(), [&] { made = scene->can_instantiate() ? scene->instantiate() : nullptr; });
 	r_node = Object::cast_to<Node3D>(made);
 	if (made != nullptr && (!is_there || r_node == nullptr)) {
 		memdelete(made);
@@ -217,7 +217,7 @@ Node3D *PlantNodes::take(const Scene &p_scene) {
 }
 
 bool PlantNodes::show(const StandingScene &p_plant, const Scene &p_scene, float p_scale) {
-	const uint64_t field = _node.get_instance_id(), leaves = _leaves;
+	const uint64_t field = _host.node().get_instance_id(), leaves = _leaves;
 	Node3D *holder = need_holder();
 	if (ObjectDB::get_instance(field) == nullptr) {
 		return false;
@@ -230,13 +230,13 @@ bool PlantNodes::show(const StandingScene &p_plant, const Scene &p_scene, float 
 		return true;
 	}
 	const uint64_t id = node->get_instance_id();
-	if (holder == nullptr || _leaves != leaves || !_node.is_inside_tree()) {
+	if (holder == nullptr || _leaves != leaves || !_host.node().is_inside_tree()) {
 		_stored.emplace_back(p_scene, id);
 		return true;
 	}
 	node->set_transform(transform_of(p_plant, p_scale)); // outside of the tree, so that nothing moves there
 	_shown[p_plant.blade] = { p_plant, p_scene, p_scale, id };
-	if (!outlives(_node, [&] { holder->add_child(node); })) {
+	if (!outlives(_host.node(), [&] { holder->add_child(node); })) {
 		return false;
 	}
 	const auto shown = _shown.find(p_plant.blade);
@@ -245,7 +245,7 @@ bool PlantNodes::show(const StandingScene &p_plant, const Scene &p_scene, float 
 		return true; // a script put it elsewhere
 	}
 	node->reset_physics_interpolation();
-	return outlives(_node, [&] { _node.emit_signal("plant_node_appeared", node, p_plant.species, p_plant.blade); });
+	return outlives(_host.node(), [&] { _host.node().emit_signal("plant_node_appeared", node, p_plant.species, p_plant.blade); });
 }
 
 // The signal comes first, while the node is still there.
@@ -256,7 +256,7 @@ bool PlantNodes::hide(BladeNumber p_blade) {
 		return true;
 	}
 	const Shown &shown = left.mapped();
-	return outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); }) &&
+	return outlives(_host.node(), [&] { _host.node().emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); }) &&
 			store(shown, find_holder());
 }
 
@@ -266,7 +266,7 @@ bool PlantNodes::store(const Shown &p_shown, Node3D *p_holder) {
 	if (node == nullptr || holder == nullptr || node->get_parent() != holder) {
 		return true;
 	}
-	if (!outlives(_node, [&] { holder->remove_child(node); })) {
+	if (!outlives(_host.node(), [&] { holder->remove_child(node); })) {
 		return false;
 	}
 	if (node_with(p_shown.node) != nullptr) {
@@ -285,8 +285,9 @@ bool PlantNodes::leave() {
 	for (const auto &[blade, standing] : shown) {
 		const Shown &one = standing; // not the binding itself: Clang 14 captures none
 		Node3D *node = node_with(one.node);
-		if (node != nullptr &&
-				!outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, one.plant.species, one.plant.blade); })) {
+		if (node != nullptr && !outlives(_host.node(), [&] {
+				_host.node().emit_signal("plant_node_leaving", node, one.plant.species, one.plant.blade);
+			})) {
 			return false;
 		}
 	}

@@ -11,7 +11,6 @@
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/packed_scene.hpp>
-#include <godot_cpp/classes/visual_instance3d.hpp>
 
 #include <array>
 #include <map>
@@ -22,8 +21,8 @@ namespace grass {
 
 class PlantNodes {
 public:
-	// p_node: the host's node, which emits plant_node_appeared and plant_node_leaving.
-	PlantNodes(FieldHost &p_host, godot::VisualInstance3D &p_node) : _host(p_host), _node(p_node) {}
+	// The host's node emits plant_node_appeared and plant_node_leaving.
+	explicit PlantNodes(FieldHost &p_host) : _host(p_host) {}
 	~PlantNodes();
 
 	// Returns whether update() has anything to do for these species.
@@ -65,7 +64,6 @@ private:
 	void drop_unused(const Scenes &p_scenes);
 
 	FieldHost &_host;
-	godot::VisualInstance3D &_node;
 	PlantEyes _eyes;
 	PlantSearch _search;
 	uint64_t _holder = 0; // instance id of the node above the scenes

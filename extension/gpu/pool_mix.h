@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pool as a frame between two ticks shows it: a mix of the offsets of the last two steps (docs/decisions/0060). It is made if the
+// The pool as a frame between two ticks shows it: a mix of the offsets of the last two steps (docs/history/0060). It is made if the
 // engine interpolates physics; otherwise it has no texture and no pass. Render thread.
 #pragma once
 

@@ -3,6 +3,7 @@
 
 #include "core/field/bare_cause.h"
 #include "core/field/grass_at.h"
+#include "field/field_device.h"
 #include "field/field_places.h"
 #include "field/project_pool.h"
 #include "shared/convert.h"
@@ -179,8 +180,8 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 	}
 	const GroundBand band = p_properties.ground_band();
 	const FieldPlaces places(p_standing, p_fill.transform, band);
-	const Vector2i tile = places.get_tile_at(p_place);
-	if (tile == Vector2i(-1, -1)) {
+	const std::optional<TilePlace> tile = places.find_tile(p_place);
+	if (!tile) {
 		return { BareReason::OUTSIDE, "No grass grows here: the place is outside the field (`size`)." };
 	}
 	const Eigen::Vector3d place = to_eigen(p_fill.transform).inverse(Eigen::Isometry) * to_eigen(p_place);
@@ -194,14 +195,15 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 		explain_map(answer, field, r_filler, p_fill, p_properties.map->get_map(), { place.x(), place.z() });
 	}
 	if (answer.reason == BareReason::NONE && p_standing.is_crowded()) {
-		return { BareReason::NO_ROOM, p_standing.crowded_warning(), nullptr, answer.density, answer.height, answer.is_still };
+		return { BareReason::NO_ROOM, crowded_warning(p_standing.get_field().get_setup()), nullptr, answer.density, answer.height,
+			answer.is_still };
 	}
 	if (answer.reason == BareReason::NONE) {
 		answer.text = standing_words(answer) + ".";
 	}
 	const TileManager &tiles = field.get_tiles();
 	const bool is_full = tiles.get_statistics().awake >= tiles.get_limit();
-	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile.x, tile.y));
+	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile->x, tile->z));
 	answer.is_still = !p_properties.simulated || (is_full && !is_awake);
 	if (answer.density > 0.0 && answer.is_still) {
 		answer.text += still_words(p_properties.simulated, tiles);

@@ -88,7 +88,7 @@ void FieldMonitors::hide() {
 double FieldMonitors::_read(int64_t p_monitor) {
 	double sum = 0.0;
 	for (GrassField *field : _fields) {
-		sum += field->get_monitor(FieldMonitor(p_monitor));
+		sum += field->get_report().find_monitor(FieldMonitor(p_monitor));
 	}
 	return sum;
 }

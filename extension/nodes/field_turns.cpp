@@ -81,14 +81,14 @@ void FieldTurns::_tick() {
 	stir_by_bodies();
 	stir_by_movers();
 	const double delta = tree_time(_tree, &Node::get_physics_process_delta_time);
-	visit_fields([](const GrassField &p_field) { return p_field.needs_tick(); },
+	visit_fields([](const GrassField &p_field) { return p_field.get_ticks().needs_tick(); },
 			[&](GrassField &r_field) {
 				const uint64_t id = r_field.get_instance_id();
 				_bodies.remove(id);
-				if (!outlives(r_field, [&] { r_field.tick(delta); })) {
+				if (!outlives(r_field, [&] { r_field.get_ticks().tick(delta); })) {
 					return;
 				}
-				for (const RestingBody &body : r_field.rest()) {
+				for (const RestingBody &body : r_field.get_ticks().rest()) {
 					_bodies.add(body, id);
 				}
 			});
@@ -96,7 +96,8 @@ void FieldTurns::_tick() {
 
 void FieldTurns::_frame() {
 	const double delta = tree_time(_tree, &Node::get_process_delta_time);
-	visit_fields([](const GrassField &p_field) { return p_field.needs_frame(); }, [&](GrassField &r_field) { r_field.frame(delta); });
+	visit_fields([](const GrassField &p_field) { return p_field.get_frames().needs_frame(); },
+			[&](GrassField &r_field) { r_field.get_frames().frame(delta); });
 }
 
 void FieldTurns::stir_by_bodies() {
@@ -112,7 +113,7 @@ void FieldTurns::stir_by_bodies() {
 // What serves all fields counts in one of them.
 void FieldTurns::count(const BodyReads &p_reads) {
 	if (const std::vector<GrassField *> fields = FieldMonitors::get_fields(); !fields.empty()) {
-		fields.front()->count_reads(p_reads);
+		fields.front()->get_ticks().count_reads(p_reads);
 	}
 }
 
@@ -124,7 +125,9 @@ void FieldTurns::stir_by_movers() {
 		return;
 	}
 	for (GrassField *field : FieldMonitors::get_fields()) {
-		field->stir_by(movers);
+		if (field->get_ticks().is_stirred_by(movers)) {
+			field->stir();
+		}
 	}
 }
 

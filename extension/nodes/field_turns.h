@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Calls the fields that have something to do, once a tick and once a frame. The others rest, and cost as good as nothing: however many
-// there are, the engine makes one call (docs/decisions/0100-fields-that-rest.md).
+// there are, the engine makes one call (docs/history/0100-fields-that-rest.md).
 #pragma once
 
 #include "field/movers.h"

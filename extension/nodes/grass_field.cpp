@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The node's life cycle and its frames; its ticks are in grass_field_tick.cpp.
+// The node's life in the tree, and what the engine calls; the rest is in grass_field_changes.cpp.
 #include "nodes/grass_field.h"
 
-#include "core/base/cpu_clock.h"
 #include "core/solver/hang.h"
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
-#include "field/field_view.h"
-#include "field/sun_map.h"
+#include "field/field_device.h"
+#include "nodes/field_api.h"
+#include "nodes/field_monitors.h"
+#include "nodes/field_turns.h"
 #include "shared/convert.h"
+#include "shared/inherited_properties.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -18,31 +20,19 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-#include <algorithm>
-#include <utility>
+#include <string_view>
 
 using namespace godot;
 
 namespace grass {
 
-namespace {
-
-Transform3D without_scale(const Transform3D &p_transform) {
-	if (!p_transform.is_finite() || p_transform.basis.determinant() == 0.0) {
-		return Transform3D(Basis(), p_transform.origin.is_finite() ? p_transform.origin : Vector3());
-	}
-	Transform3D turned = p_transform.orthonormalized();
-	if (turned.basis.determinant() < 0.0) { // a mirrored field would turn its blades inside out
-		turned.basis.scale_local(Vector3(-1, 1, 1));
-	}
-	return turned.is_finite() ? turned : Transform3D(Basis(), p_transform.origin);
-}
-
-} // namespace
-
 GrassField::GrassField() {
 	GrassPatch::prepare_default(); // starts early, before the node enters the tree
 	set_notify_transform(true);
+}
+
+void GrassField::_bind_methods() {
+	FieldApi::bind();
 }
 
 void GrassField::_notification(int p_what) {
@@ -54,7 +44,7 @@ void GrassField::_notification(int p_what) {
 			leave();
 			break;
 		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION:
-			_moved_in = UINT64_MAX; // it was moved elsewhere: do not interpolate between the two places
+			_ticks.skip_between();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			stir();
@@ -68,7 +58,7 @@ void GrassField::_notification(int p_what) {
 // that turns over would be made again every few degrees.
 void GrassField::turn() {
 	const bool is_edited = Engine::get_singleton()->is_editor_hint() && is_inside_tree();
-	if (is_edited && find_pull(to_eigen(field_transform()).linear()) != _properties.species.get_pull()) {
+	if (is_edited && find_pull(to_eigen(field_transform()).linear()) != _parts.properties.species.get_pull()) {
 		request_rebuild();
 	}
 }
@@ -82,25 +72,18 @@ void GrassField::enter() {
 	SceneWatch::get_singleton()->start(this);
 	FieldTurns::start(this);
 	stir();
-	_world = get_world_3d()->get_instance_id();
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
-	if (!Engine::get_singleton()->is_editor_hint()) {
-		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
-				callable_mp(this, &GrassField::_area_changed), callable_mp(this, &GrassField::_body_woke),
-				uint32_t(_properties.collision_mask), find_carriers());
-	}
-	(void)_properties.update_quality();
-	_standing.begin_passes();
+	listen();
+	(void)_parts.properties.update_quality();
+	begin_passes(_parts.properties);
 	request_rebuild();
 }
 
-// Returns the nodes that carry the field. When its place in the tree changes, the field enters again.
-std::vector<uint64_t> GrassField::find_carriers() const {
-	std::vector<uint64_t> carriers;
-	for (const Node *node = get_parent(); node != nullptr; node = node->get_parent()) {
-		carriers.push_back(node->get_instance_id());
-	}
-	return carriers;
+void GrassField::listen() {
+	_ticks.enter({ callable_mp(this, &GrassField::_body_changed), callable_mp(this, &GrassField::_area_changed),
+			callable_mp(this, &GrassField::_body_woke) });
+	_parts.sources.set_handlers({ callable_mp(this, &GrassField::_terrain_edited), callable_mp(this, &GrassField::_terrain_replaced),
+			callable_mp(this, &GrassField::_terrain_cells_changed), callable_mp(this, &GrassField::_terrain_rectangle_changed) });
 }
 
 void GrassField::leave() {
@@ -110,101 +93,16 @@ void GrassField::leave() {
 		forget_shader_jobs();
 	}
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
-	_bodies.get_tracker().stop();
-	_bodies.get_wheels().clear();
-	_forces.get_areas().clear();
-	_terrain.leave();
-	_life.leave();
-	if (!_plants.leave()) {
+	_ticks.leave();
+	_parts.sources.leave();
+	_parts.life.leave();
+	if (!_parts.plants.leave()) {
 		return;
 	}
-	if (_plants.is_waiting()) {
+	if (_parts.plants.is_waiting()) {
 		callable_mp(this, &GrassField::_plants_left).call_deferred();
 	}
-	emit_leaving();
-}
-
-// Once a frame: in _frame(), which is there where nothing is drawn, or else before it is drawn, as in a paused tree.
-bool GrassField::advance() {
-	const uint64_t frame = Engine::get_singleton()->get_process_frames();
-	if (std::exchange(_advanced_in, frame) == frame) {
-		return stand();
-	}
-	if (_properties.update_quality()) {
-		_standing.update_quality();
-	}
-	return _life.advance();
-}
-
-// Where frames are drawn, every one may need another wind.
-bool GrassField::needs_frame() const {
-	static const bool are_drawn = draws_frames();
-	return are_drawn || !_frame_rests || _life.is_waiting() || _properties.is_other_quality() || _filler.may_fill();
-}
-
-void GrassField::frame(double p_delta) {
-	_visited_frames++;
-	if (!is_inside_tree() || !advance()) {
-		return;
-	}
-	if (!update_terrain() || !update_fill()) {
-		return;
-	}
-	if (is_inside_tree() && _standing.stands()) {
-		_forces.gather(_properties.size);
-		_standing.blow(_forces.get(), p_delta); // before drawing begins: a change in _before_draw() causes no further frame
-	}
-	_frame_rests = _life.rests() && _terrain.get_path().is_empty();
-}
-
-// Runs when the camera has its pose of this frame, which is not earlier. Also runs in a paused tree, unlike frame().
-void GrassField::_before_draw() {
-	last_drawn_frame = Engine::get_singleton()->get_process_frames();
-	if (!advance() || !_standing.stands()) {
-		return;
-	}
-	CpuClock clock;
-	update_map();
-	const Transform3D place = drawn_transform();
-	const FieldView view = is_visible_in_tree() ? find_view(this, place, _properties, _standing.get_field()) : FieldView();
-	if (!view.cameras.empty()) {
-		_standing.show_sun_map(find_sun_map(this));
-		if (is_compatibility()) {
-			_standing.show_light(_other_light.find(this));
-		}
-	}
-	_standing.read_asked();
-	if (view.has_motion) {
-		expect_motion_vectors();
-	}
-	_standing.show_between(is_physics_interpolated_and_enabled(), find_share());
-	_standing.show_motion(view.has_motion);
-	_standing.follow(this, place);
-	if (_standing.draw(view, is_visible_in_tree())) {
-		update_configuration_warnings();
-		if (!Engine::get_singleton()->is_editor_hint()) { // there the node itself shows it
-			warn(_standing.crowded_warning());
-		}
-	}
-	if (_standing.notice_blind_budget()) {
-		update_configuration_warnings();
-		if (!Engine::get_singleton()->is_editor_hint()) {
-			warn(StandingField::blind_warning());
-		}
-	}
-	_frame_ms = clock.lap();
-}
-
-// Returns the share of the last step in this frame: bodies are drawn that far on their way from the tick before to the last one. In ticks
-// in which no blade moved, or which the field skipped, both steps are the same.
-float GrassField::find_share() const {
-	const Engine *engine = Engine::get_singleton();
-	const bool is_moving = engine->get_physics_frames() == _moved_in;
-	return is_moving ? std::clamp(float(engine->get_physics_interpolation_fraction()), 0.0f, 1.0f) : 1.0f;
-}
-
-AABB GrassField::_get_aabb() const {
-	return _standing.get_bounds();
+	_ticks.emit_leaving();
 }
 
 Transform3D GrassField::field_transform() const {
@@ -213,6 +111,55 @@ Transform3D GrassField::field_transform() const {
 
 Transform3D GrassField::drawn_transform() {
 	return without_scale(get_global_transform_interpolated());
+}
+
+void GrassField::stir() {
+	_ticks.stir();
+	_frames.stir();
+}
+
+void GrassField::request_rebuild() {
+	stir();
+	_parts.life.ask();
+	update_gizmos();
+	update_configuration_warnings();
+}
+
+// The ground beside the cameras is laid from the first frame on.
+bool GrassField::read_scene() {
+	const bool is_first = !_parts.standing.stands() && !_parts.properties.is_streamed;
+	_parts.properties.species.set_pull(find_pull(to_eigen(field_transform()).linear()));
+	return (!is_first || _parts.sources.update_terrain()) && _parts.sources.start_fill() && _parts.properties.species.read_plants(*this);
+}
+
+GrassMap *GrassField::need_map(const char *p_method) {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message(vformat("add the node to the scene tree before calling %s().", p_method)));
+	if (_parts.properties.map.is_null()) {
+		make_map();
+	}
+	return stand() ? _parts.properties.map.ptr() : nullptr;
+}
+
+void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
+	(void)p_body_shape; // see BodyTracker::body_changed()
+	(void)p_area_shape; // the area has one shape
+	_ticks.body_changed(p_status, p_body, p_instance_id);
+}
+
+void GrassField::_area_changed(int64_t p_status, const RID &, int64_t p_instance_id, int64_t, int64_t) {
+	_ticks.area_changed(p_status, p_instance_id);
+}
+
+void GrassField::_validate_property(PropertyInfo &p_property) const {
+	const CharString utf8 = String(p_property.name).utf8();
+	const std::string_view name = utf8.get_data();
+	if (_parts.sources.hides(name) || has_no_effect(name)) {
+		p_property.usage = p_property.usage & ~uint32_t(PROPERTY_USAGE_EDITOR);
+	}
+}
+
+void GrassField::_get_property_list(List<PropertyInfo> *r_list) const {
+	_parts.properties.hook.list(r_list);
 }
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How BodyTracker follows a crowd: plain bodies need only their own memory and their pose, so several threads read them at once
-// (docs/decisions/0048-crowds-on-all-threads.md).
+// (docs/history/0048-crowds-on-all-threads.md).
 #include "physics/body_tracker.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -18,33 +18,20 @@ constexpr size_t CROWD = 256;
 
 } // namespace
 
-bool BodyTracker::is_odd(const TrackedShape &p_shape) {
-	return p_shape.is_bound || p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP;
-}
-
-// According to the last look: it moves as its velocity says, and has shapes, none of which needs a warning.
-bool BodyTracker::is_plain(const Body &p_body) {
-	return p_body.is_driven && p_body.has_before && p_body.is_written && !p_body.shapes.empty() &&
-			std::ranges::none_of(p_body.shapes, is_odd);
-}
-
-bool BodyTracker::is_plain_now(const Body &p_body) {
-	return p_body.is_plain && !p_body.is_asleep && p_body.overlaps > 0 && p_body.next_look > 0;
-}
-
 // Reserves places for as many colliders as it has, since its shapes are not checked.
-void BodyTracker::join_crowd(Body &r_body, const Following &p_following) {
-	_crowd.push_back({ &r_body, p_following.stamps });
-	p_following.stamps += r_body.colliders;
-	const size_t end = size_t(r_body.first_collider) + r_body.colliders;
-	p_following.colliders.resize(std::max(p_following.colliders.size(), end));
+void BodyTracker::join_crowd(TrackedBody &r_body, const BodyTick &p_tick) {
+	r_body.colliders.place(_written);
+	_crowd.push_back({ &r_body, p_tick.stamps });
+	p_tick.stamps += r_body.colliders.count;
+	const size_t end = size_t(r_body.colliders.first) + r_body.colliders.count;
+	p_tick.colliders.resize(std::max(p_tick.colliders.size(), end));
 }
 
 bool BodyTracker::is_crowded() const {
 	return _crowd.size() >= CROWD;
 }
 
-void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &p_parallel_for) {
+void BodyTracker::follow_crowd(const BodyTick &p_tick, const ParallelFor &p_parallel_for) {
 	struct Block {
 		BodyReads reads;
 		bool has_lost = false;
@@ -55,9 +42,10 @@ void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &
 		Block block;
 		for (size_t i = begin; i < end; i++) {
 			uint64_t stamps = _crowd[i].stamps;
-			Body &body = *_crowd[i].body;
-			follow_member(body, { p_following.field, p_following.tick, p_following.colliders, block.reads, stamps });
-			block.has_lost = block.has_lost || body.is_lost;
+			TrackedBody &body = *_crowd[i].body;
+			body.read_pose(
+					{ p_tick.field, p_tick.tick, p_tick.colliders, block.reads, stamps, p_tick.warnings, p_tick.woke, p_tick.look_every });
+			block.has_lost = block.has_lost || body.state == TrackedBody::State::LOST;
 		}
 		blocks[size_t(p_block)] = block;
 	};
@@ -69,21 +57,7 @@ void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &
 	}
 	if (has_lost) {
 		_has_lost = true;
-		drop_lost(p_following.colliders);
-	}
-}
-
-void BodyTracker::follow_member(Body &r_body, const Following &p_following) {
-	r_body.is_lost = !find_state(r_body, p_following.reads);
-	if (r_body.is_lost) {
-		return;
-	}
-	r_body.left_for = 0;
-	r_body.next_look--;
-	const Transform3D world = find_place(r_body, p_following.reads);
-	follow_sleep(r_body, world, false);
-	if (world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {
-		follow(r_body, world, false, p_following);
+		drop_lost(p_tick.colliders);
 	}
 }
 
@@ -91,18 +65,17 @@ void BodyTracker::follow_member(Body &r_body, const Following &p_following) {
 void BodyTracker::drop_lost(std::vector<ColliderShape> &r_colliders) {
 	_written = 0;
 	_mesh_pieces = 0;
-	for (Body *body : _line) {
-		if (body->is_lost) {
-			watch_sleep(*body, false);
+	for (TrackedBody *body : _line) {
+		if (body->state == TrackedBody::State::LOST) {
 			continue;
 		}
-		if (body->first_collider != _written) {
-			const auto first = r_colliders.begin() + body->first_collider;
-			std::move(first, first + body->colliders, r_colliders.begin() + ptrdiff_t(_written));
-			body->first_collider = uint32_t(_written);
+		if (body->colliders.first != _written) {
+			const auto first = r_colliders.begin() + body->colliders.first;
+			std::move(first, first + body->colliders.count, r_colliders.begin() + ptrdiff_t(_written));
+			body->colliders.first = uint32_t(_written);
 		}
-		_written += body->colliders;
-		_mesh_pieces += body->mesh_pieces;
+		_written += body->colliders.count;
+		_mesh_pieces += body->colliders.mesh_pieces;
 	}
 }
 

@@ -46,9 +46,9 @@ void BodyTracker::set_mask(uint32_t p_mask) {
 void BodyTracker::stop() {
 	_box.stop();
 	_approach = 0.0;
-	_has_field_before = false;
+	_field.forget();
 	for (auto &[id, body] : _bodies) {
-		watch_sleep(body, false);
+		body.server.stop_watching(_woke);
 	}
 	_bodies.clear();
 	_line.clear();
@@ -65,28 +65,43 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	}
 	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
 		if (found == _bodies.end()) {
-			found = _bodies.emplace(key, Body()).first;
-			_line.clear();
-			found->second.rid = p_body;
-			found->second.instance_id = uint64_t(p_instance_id);
+			const uint64_t id = uint64_t(p_instance_id);
+			found = _bodies.emplace(key, TrackedBody(p_body, id, carries(id))).first;
 			found->second.turn = int(key % WAITING_TICKS);
-			found->second.is_carrier = carries(uint64_t(p_instance_id));
+			_line.clear();
 		}
 		found->second.overlaps++;
 	} else if (found != _bodies.end()) {
 		found->second.overlaps--;
 	}
 	if (found != _bodies.end()) {
-		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
-		found->second.is_asleep = found->second.is_at_rest = false;
+		found->second.stir(); // its shapes may have changed
 	}
 }
 
 void BodyTracker::body_woke(int64_t p_body) {
 	const auto found = _bodies.find(uint64_t(p_body));
 	if (found != _bodies.end()) {
-		found->second.is_asleep = false;
+		found->second.wake();
 	}
+}
+
+bool BodyTracker::carries(uint64_t p_instance_id) const {
+	return std::ranges::find(_carriers, p_instance_id) != _carriers.end();
+}
+
+int64_t BodyTracker::body_count() const {
+	return std::ranges::count_if(_bodies, [](const auto &p_entry) { return p_entry.second.is_near(); });
+}
+
+std::vector<uint64_t> BodyTracker::find_instances(size_t p_most) const {
+	std::vector<uint64_t> instances;
+	for (auto body = _bodies.begin(); body != _bodies.end() && instances.size() < p_most; ++body) {
+		if (body->second.is_near()) {
+			instances.push_back(body->second.server.get_instance_id());
+		}
+	}
+	return instances;
 }
 
 } // namespace grass

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_map.h"
 
-#include "core/map/map_changes.h"
 #include "core/map/map_merge.h"
+#include "resources/channel_images.h"
 #include "resources/grass_map_file.h"
+#include "resources/map_exchange.h"
+#include "resources/map_painting.h"
 #include "resources/size_limits.h"
 #include "shared/bind_property.h"
 #include "shared/convert.h"
@@ -86,7 +88,9 @@ void GrassMap::tell(const BrushResult &p_result, bool p_has_new_grid) {
 void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
 	const double density = checked(BASE_DENSITY, p_density, label()), before = get_base_density();
-	if (write([&] { _map.set_base_density(density); }) && get_base_density() != before) {
+	const String refusal = write([&] { _map.set_base_density(density); });
+	ERR_FAIL_COND_MSG(!refusal.is_empty(), refusal);
+	if (get_base_density() != before) {
 		tell(copy().get_keys(), true);
 	}
 }
@@ -157,6 +161,19 @@ int64_t GrassMap::get_memory_usage() const {
 	return int64_t(_map.get_memory_usage());
 }
 
+BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
+	return change([&](PaintMap &r_map) { return apply_brush(r_map, p_shape, p_brush); });
+}
+
+double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_component) const {
+	ERR_FAIL_INDEX_V_MSG(
+			int64_t(p_channel), int(MAP_CHANNELS), 0.0, label() + String(": no such channel. Use one of the CHANNEL_* constants."));
+	ERR_FAIL_INDEX_V_MSG(
+			p_component, int64_t(info_of(MapChannel(p_channel)).components), 0.0, label() + String(": the channel has fewer components."));
+	std::lock_guard lock(_lock);
+	return _map.sample(MapChannel(p_channel), int(p_component), to_eigen(p_place));
+}
+
 Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
@@ -168,7 +185,7 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot, const R
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs a snapshot from take_snapshot().", label()));
 	PaintMap before;
 	std::string reason;
-	const bool is_written = write([&] {
+	const String refusal = write([&] {
 		before = _map;
 		if (p_from.is_null()) {
 			_map = p_snapshot->map;
@@ -176,34 +193,9 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot, const R
 			reason = merge_maps(p_from->map, p_snapshot->map, _map).reason;
 		}
 	});
+	ERR_FAIL_COND_MSG(!refusal.is_empty(), refusal);
 	ERR_FAIL_COND_MSG(!reason.empty(), vformat("%s: the restored map %s.", label(), text_of(reason)));
-	if (is_written) {
-		tell_of_replacing(before);
-	}
-}
-
-PackedByteArray GrassMap::get_changes_since(const Ref<GrassMapSnapshot> &p_snapshot) const {
-	ERR_FAIL_COND_V_MSG(
-			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs a snapshot from take_snapshot().", label()));
-	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, copy(), engine_codec())));
-}
-
-bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
-	if (p_changes.is_empty()) {
-		return true; // nothing changed
-	}
-	AppliedChanges applied;
-	const std::span bytes(p_changes.ptr(), size_t(p_changes.size()));
-	ReadLimits limits = get_read_limits();
-	for (const auto &[shown_by, region] : _shown) {
-		limits.regions.push_back(region);
-	}
-	if (!write([&] { applied = grass::apply_changes(bytes, engine_codec(), _map, limits); })) {
-		return false;
-	}
-	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), text_of(applied.reason)));
-	tell(applied.changed, applied.has_base_changed);
-	return true;
+	tell_of_replacing(before);
 }
 
 void GrassMap::tell_of_replacing(const PaintMap &p_before) {
@@ -228,27 +220,34 @@ void GrassMap::clear() {
 	tell(changed, false);
 }
 
+std::vector<MapRegion> GrassMap::find_shown() const {
+	std::vector<MapRegion> regions;
+	for (const auto &[shown_by, region] : _shown) {
+		regions.push_back(region);
+	}
+	return regions;
+}
+
 TypedArray<Vector2i> GrassMap::get_chunks() const {
 	return to_chunks(copy().get_keys());
 }
 
 void GrassMap::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
+	bind_free<&stroke>(D_METHOD("stroke", "brush", "from", "to"));
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
-	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
-	ClassDB::bind_method(
-			D_METHOD("get_channel_image", "channel", "region", "use_floats"), &GrassMap::get_channel_image, DEFVAL(Rect2()), DEFVAL(false));
-	ClassDB::bind_method(D_METHOD("set_channel_image", "channel", "image", "region"), &GrassMap::set_channel_image, DEFVAL(Rect2()));
-	ClassDB::bind_method(D_METHOD("save_channel_image", "channel", "path", "region"), &GrassMap::save_channel_image, DEFVAL(Rect2()));
-	ClassDB::bind_method(D_METHOD("load_channel_image", "channel", "path", "region"), &GrassMap::load_channel_image, DEFVAL(Rect2()));
-	ClassDB::bind_method(D_METHOD("fill", "rule", "region"), &GrassMap::fill);
+	bind_free<&set_ground>(D_METHOD("set_ground", "heights", "region"));
+	bind_free<&get_channel_image>(D_METHOD("get_channel_image", "channel", "region", "use_floats"), DEFVAL(Rect2()), DEFVAL(false));
+	bind_free<&set_channel_image>(D_METHOD("set_channel_image", "channel", "image", "region"), DEFVAL(Rect2()));
+	bind_free<&save_channel_image>(D_METHOD("save_channel_image", "channel", "path", "region"), DEFVAL(Rect2()));
+	bind_free<&load_channel_image>(D_METHOD("load_channel_image", "channel", "path", "region"), DEFVAL(Rect2()));
+	bind_free<&fill_map>(D_METHOD("fill", "rule", "region"));
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot", "from"), &GrassMap::restore_snapshot, DEFVAL(Ref<GrassMapSnapshot>()));
-	ClassDB::bind_method(D_METHOD("get_changes_since", "snapshot"), &GrassMap::get_changes_since);
-	ClassDB::bind_method(D_METHOD("apply_changes", "changes"), &GrassMap::apply_changes);
-	ClassDB::bind_method(D_METHOD("merge", "base", "theirs", "prefer_theirs"), &GrassMap::merge, DEFVAL(false));
+	bind_free<&find_changes>(D_METHOD("get_changes_since", "snapshot"));
+	bind_free<&apply_changes_to>(D_METHOD("apply_changes", "changes"));
+	bind_free<&merge_into>(D_METHOD("merge", "base", "theirs", "prefer_theirs"), DEFVAL(false));
 	ClassDB::bind_static_method("GrassMap", D_METHOD("load_from_file", "path"), &load_map_file);
-	ClassDB::bind_method(D_METHOD("save_to_file", "path"), &GrassMap::save_to_file);
+	bind_free<&save_map_file>(D_METHOD("save_to_file", "path"));
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
 	ClassDB::bind_method(D_METHOD("is_empty"), &GrassMap::is_empty);
 	ClassDB::bind_method(D_METHOD("get_chunks"), &GrassMap::get_chunks);

@@ -119,18 +119,18 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 	(void)p_flags; // a map refers to no other resource
 	const GrassMap *map = Object::cast_to<GrassMap>(p_resource.ptr());
 	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
-	return Error(map->save_to_file(p_path));
+	return Error(save_map_file(*map, p_path));
 }
 
-int64_t GrassMap::save_to_file(const String &p_path) const {
+int64_t save_map_file(const GrassMap &p_map, const String &p_path) {
 	const ReadLimits limits = get_read_limits();
-	const size_t bytes = size_t(get_memory_usage());
+	const size_t bytes = size_t(p_map.get_memory_usage());
 	if (bytes > limits.map_bytes) {
 		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, but a map that is read may take at most %s. It is saved, but it cannot "
 						   "be loaded until that limit is raised%s.",
 				p_path, text_of(megabytes(bytes)), text_of(megabytes(limits.map_bytes)), text_of(limits.map_hint)));
 	}
-	return write_map_file(get_data(), p_path);
+	return write_map_file(p_map.get_data(), p_path);
 }
 
 Error write_map_file(const PackedByteArray &p_data, const String &p_path, const String &p_what) {

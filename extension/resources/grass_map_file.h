@@ -18,6 +18,7 @@ godot::Error write_map_file(
 		const godot::PackedByteArray &p_data, const godot::String &p_path, const godot::String &p_what = "the grass map");
 // Returns the map in a file, whatever its extension, or null after a message that names the file: never half a map.
 godot::Ref<class GrassMap> load_map_file(const godot::String &p_path);
+int64_t save_map_file(const GrassMap &p_map, const godot::String &p_path); // whatever its extension; returns an Error
 
 class GrassMapLoader : public godot::ResourceFormatLoader {
 	GDCLASS(GrassMapLoader, godot::ResourceFormatLoader)

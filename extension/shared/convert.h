@@ -96,6 +96,19 @@ inline godot::Transform3D to_godot(const Eigen::Affine3d &p_a) {
 	return { to_godot(Eigen::Matrix3d(p_a.linear())), to_godot(Eigen::Vector3d(p_a.translation())) };
 }
 
+// Returns the nearest transform without scale and without mirroring, which would turn blades inside out. Always finite.
+inline godot::Transform3D without_scale(const godot::Transform3D &p_transform) {
+	const godot::Transform3D moved(godot::Basis(), p_transform.origin.is_finite() ? p_transform.origin : godot::Vector3());
+	if (!p_transform.is_finite() || p_transform.basis.determinant() == 0.0) {
+		return moved;
+	}
+	godot::Transform3D turned = p_transform.orthonormalized();
+	if (turned.basis.determinant() < 0.0) {
+		turned.basis.scale_local(godot::Vector3(-1, 1, 1));
+	}
+	return turned.is_finite() ? turned : moved;
+}
+
 // Copies an array of plain records as bytes, for RenderingDevice and Image.
 template <typename T> void copy_bytes(std::span<const T> p_from, godot::PackedByteArray &r_to) {
 	r_to.resize(int64_t(p_from.size_bytes()));

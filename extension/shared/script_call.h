@@ -4,7 +4,7 @@
 // - complete its own state before the call,
 // - hold by value what it uses afterwards: no reference or pointer to anything that a setter replaces,
 // - not touch itself afterwards unless outlives() says that it still exists, and then read its state again.
-// Nodes tick from the engine's message queue, where the engine lets a node die: docs/decisions/0055-scripts-may-do-anything.md.
+// Nodes tick from the engine's message queue, where the engine lets a node die: docs/history/0055-scripts-may-do-anything.md.
 #pragma once
 
 #include <godot_cpp/core/object.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An area of the physics server that watches boxes. Boxes that lie side by side share one: the server does most of its work for each area
-// and for each body in it, whether anything moves or not (docs/decisions/0100-fields-that-rest.md).
+// and for each body in it, whether anything moves or not (docs/history/0100-fields-that-rest.md).
 #pragma once
 
 #include <Eigen/Geometry>

@@ -4,6 +4,7 @@
 
 #include "draw/frame_share.h"
 #include "field/work_limits.h"
+#include "resources/map_painting.h"
 #include "shared/main_thread.h"
 #include "shared/script_call.h"
 
@@ -58,23 +59,22 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 }
 
 Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
-	Dictionary sum = to_dictionary(CutResult());
+	Dictionary sum = to_script(CutResult());
 	GRASS_MAIN_THREAD_ONLY_V(sum);
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), sum, vformat("%s: cut() needs a finite transform.", label()));
 	double area = 0.0;
 	for (const PlotKey &key : _plots.get_standing()) {
-		area += _plots.find(key) != nullptr ? _plots.find(key)->find_area(p_shape, p_transform) : 0.0;
+		area += _plots.find(key) != nullptr ? _plots.find(key)->get_parts().work.find_area(p_shape, p_transform) : 0.0;
 	}
 	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), sum,
 			vformat("%s: cut() would act on %.0f square metres, and acts on %d at most (AREA_MAX). Call it with several smaller shapes, in "
-					"as "
-					"many frames.",
+					"as many frames.",
 					label(), area, AREA_MAX));
 	const Array names = sum.keys();
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);
 		Dictionary cut;
-		if (field != nullptr && !outlives(*this, [&] { cut = field->cut(p_shape, p_transform); })) {
+		if (field != nullptr && !outlives(*this, [&] { cut = to_script(field->get_parts().work.cut(p_shape, p_transform)); })) {
 			return sum; // a listener of the map freed the world
 		}
 		for (int64_t i = 0; i < names.size(); i++) {
@@ -91,7 +91,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 	if (!is_here("paint")) {
 		return 0.0;
 	}
-	const String problem = GrassMap::problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
+	const String problem = problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
 	ERR_FAIL_COND_V_MSG(!problem.is_empty() || !p_from.is_finite() || !p_to.is_finite(), 0.0,
 			vformat("%s: paint(): %s", label(), problem.is_empty() ? String("the ends of a stroke must be finite numbers.") : problem));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
@@ -101,7 +101,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 		GrassField *field = _plots.find(key);
 		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
 			double changed = 0.0;
-			const bool lives = outlives(*this, [&] { changed = field->paint(p_brush, p_from, p_to); });
+			const bool lives = outlives(*this, [&] { changed = field->get_parts().work.paint(p_brush, p_from, p_to); });
 			sum += changed;
 			if (!lives) { // a listener of the map freed the world
 				return sum;

@@ -39,16 +39,16 @@ GrassField *WorldFields::make() {
 		}
 		field = memnew(GrassField);
 	}
-	field->set_size(Vector2(real_t(_side), real_t(_side)));
-	field->set_param(PARAM_BORDER_FADE, 0.0);
+	field->get_parts().settings.set_size(Vector2(real_t(_side), real_t(_side)));
+	field->get_parts().settings.set_param(PARAM_BORDER_FADE, 0.0);
 	field->set_visible(false);
 	field->set_streamed();
-	field->set_warning_teller(make_teller());
+	field->get_report().set_warning_teller(make_teller());
 	return field;
 }
 
 // A problem of one plot is usually a problem of all of them, so the world reports it once.
-GrassField::WarningTeller WorldFields::make_teller() const {
+FieldReport::WarningTeller WorldFields::make_teller() const {
 	return [warned_of = _warned_of, label = _label](const String &p_warning) {
 		if (warned_of->insert(p_warning.utf8().get_data()).second) {
 			WARN_PRINT(vformat("%s: `plot_scene`: %s", label, p_warning));
@@ -71,11 +71,11 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 		return;
 	}
 	_pattern = {};
-	_pattern.has_terrain = !first->get_terrain().is_empty();
-	_pattern.pool_tiles = first->get_pool_tiles();
-	_pattern.collision_mask = uint32_t(first->get_collision_mask());
+	_pattern.has_terrain = !first->get_parts().sources.get_terrain().is_empty();
+	_pattern.pool_tiles = first->get_parts().settings.get_pool_tiles();
+	_pattern.collision_mask = uint32_t(first->get_parts().settings.get_collision_mask());
 	_pattern.layers = first->get_layer_mask();
-	_pattern.tile_size = first->get_tile_size();
+	_pattern.tile_size = first->get_parts().queries.get_tile_size();
 	_pattern.map.set_base_density(1.0);
 	if (first->get_map().is_valid()) {
 		_pattern.map = first->get_map()->get_map();

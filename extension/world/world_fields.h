@@ -65,7 +65,7 @@ private:
 	static constexpr int MOST_FIRST = 3;
 
 	GrassField *make(); // null: a script of the scene has freed the world
-	GrassField::WarningTeller make_teller() const;
+	FieldReport::WarningTeller make_teller() const;
 	GrassField *make_first();
 	void forget_first();
 

@@ -37,7 +37,7 @@ void WorldPlots::measure() {
 	for (auto &[key, plot] : _plots) {
 		const GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
 		if (field != nullptr && (plot.memory.all == 0 || key == next->first)) {
-			plot.memory = field->find_memory();
+			plot.memory = field->get_report().find_memory();
 			_pool_tile = plot.memory.pool_tile;
 		}
 	}
@@ -94,7 +94,7 @@ void WorldPlots::limit_pools() {
 	for (const auto &[key, plot] : _plots) {
 		GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
 		if (field != nullptr && field->is_inside_tree()) {
-			field->fit_pool(std::min(std::max(field->get_pool_slots() + more, LEAST_POOL), most));
+			field->get_parts().settings.fit_pool(std::min(std::max(field->get_pool_slots() + more, LEAST_POOL), most));
 		}
 	}
 }
@@ -130,7 +130,7 @@ size_t WorldPlots::count_used() const {
 	std::map<const void *, size_t> patches;
 	const auto add = [&](const GrassField *p_field) {
 		if (p_field != nullptr) {
-			const FieldMemory memory = p_field->find_memory();
+			const FieldMemory memory = p_field->get_report().find_memory();
 			bytes += size_t(std::max<int64_t>(memory.all - memory.shared, 0));
 			patches[memory.patch] = size_t(memory.shared);
 		}

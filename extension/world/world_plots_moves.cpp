@@ -115,7 +115,7 @@ void WorldPlots::bring(PlotKey p_key) {
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
 	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots consist of whole chunks
-	field->fit_pool(find_most_slots());
+	field->get_parts().settings.fit_pool(find_most_slots());
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
 	snapshot->map = plot.known;
@@ -170,8 +170,8 @@ void WorldPlots::leave(PlotKey p_key, uint64_t p_field) {
 	}
 	_plots.erase(found);
 	_statistics.left++;
-	field->fit_pool(0); // it waits without slots
-	field->fit_pool(find_most_slots());
+	field->get_parts().settings.fit_pool(0); // it waits without slots
+	field->get_parts().settings.fit_pool(find_most_slots());
 	_fields.give_back(field, count_bytes() <= _settings.budget);
 }
 

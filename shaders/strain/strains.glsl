@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Moves the blades of awake tiles without colliders by their strains: one thread a blade; a workgroup has one tile, or several of which
-// few blades are simulated, as in simulate. docs/decisions/0101-blades-by-strains.md
+// few blades are simulated, as in simulate. docs/history/0101-blades-by-strains.md
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #pragma variant GRASS_SPECIES // for fields with species

@@ -14,7 +14,8 @@ EXTENSION = ROOT / "extension"
 COMMENT = re.compile(r"//.*")
 OWN_CLASS = re.compile(r"\bGDCLASS\((\w+),")
 DECLARATION = re.compile(r"^\s*(?!using\b|return\b|friend\b)[^()\n]*;\s*$", re.MULTILINE)  # of no function
-NAME = re.compile(r"[*&]>*\s*(\w+)")  # of a pointer, or of a list of them
+INITIAL = re.compile(r"(?: = |\{)[^,;()\n]*(?=[,;])")  # the value that a member begins with; that of a variable in a function is a call
+LAST_WORD = re.compile(r"(\w+)\W*$")
 
 OWN_FIELD = "the field, of which it is a part and with which it ends"
 OWN_CHILD = "a child in the editor's own window, which it makes and frees"
@@ -47,8 +48,6 @@ ALLOWED = {
 	"editor/own_map_dialog.h": (f"{SINGLETON}; {OWN_CHILD}", "_singleton", "_opener"),
 	"editor/painted_fields.h": (ONE_CALL, "chosen", "fields", "world"),
 	"editor/picture_dialog.h": (OWN_CHILD, "_dialog"),
-	"field/field_life.h": (OWN_FIELD, "_node"),
-	"field/plant_nodes.h": (OWN_FIELD, "_node"),
 	"gpu/render_queue.h": (SINGLETON, "_singleton"),
 	"ground/bare_answer.h": (ONE_CALL, "node"),
 	"ground/field_filler.h": (OWN_FIELD, "_node"),
@@ -56,8 +55,8 @@ ALLOWED = {
 	"ground/fill_gatherer.h": (ONE_CALL, "_field"),
 	"nodes/field_monitors.h": ("fields, which remove themselves when they leave the tree; or " + SINGLETON, "_fields", "_singleton"),
 	"nodes/field_turns.h": (SINGLETON, "_singleton"),
-	"physics/body_tracker.h": ("checked by its id in each tick, before the first use", "state", "node"),
 	"physics/ground_rays.h": (ONE_CALL, "_standing", "_space"),
+	"physics/server_body.h": ("checked by its id in each tick, before the first use", "_state", "_node"),
 	"shared/scene_watch.h": (SINGLETON, "_singleton"),
 	"world/world_fields.h": ("the world, of which it is a part and with which it ends", "_world"),
 }
@@ -75,10 +74,17 @@ def engine_classes():
 	return json.loads((EXTENSION / "binding/classes.json").read_text())["enabled_classes"]
 
 
+def names_in(line):
+	"""Names that a line declares: of pointers, or what follows the type of a list of them."""
+	of_lists = line.rpartition(">")[2] if "<" in line else ""
+	declared = of_lists.split(",") if of_lists else [part for part in line.split(",") if "*" in part or "&" in part]
+	return [LAST_WORD.search(part)[1] for part in declared]
+
+
 def pointers(text, classes):
 	"""Names of what is declared in `text` with a type that points or refers to an object of one of `classes`."""
 	points = re.compile(rf"\b(?:{'|'.join(classes)})(?: const)? [*&]")
-	return [name for line in DECLARATION.findall(text) if points.search(line) for name in NAME.findall(line)]
+	return [name for line in DECLARATION.findall(INITIAL.sub("", text)) if points.search(line) for name in names_in(line)]
 
 
 def wrong():

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds how much of a field fits on a graphics device, and what else the device lacks for it
-// (docs/decisions/0050-a-refused-pass-means-the-cpu.md).
+// (docs/history/0050-a-refused-pass-means-the-cpu.md).
 #pragma once
 
 #include "core/field/field_setup.h"

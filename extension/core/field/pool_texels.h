@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pool's texture as the CPU makes it: a row for each slot, 4 halves for each knot of each blade. Between two ticks it shows a mix of
-// the offsets of the last two steps (docs/decisions/0060); if that is not needed, it keeps only those of the last step. Twin of
+// the offsets of the last two steps (docs/history/0060); if that is not needed, it keeps only those of the last step. Twin of
 // shaders/solver/mix.glsl.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which levels of detail the tiles of a field can have, by its box and its cameras alone. A field is drawn with meshes that have no others,
-// since the renderer pays for each surface in each pass, drawn or not (docs/decisions/0099-only-levels-that-can-be-seen.md).
+// since the renderer pays for each surface in each pass, drawn or not (docs/history/0099-only-levels-that-can-be-seen.md).
 #pragma once
 
 #include "core/lod/cull.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keeps the steps of a field within a time, by how many times coarser blades are simulated than drawn
-// (docs/decisions/0090-a-budget-for-the-simulation.md).
+// (docs/history/0090-a-budget-for-the-simulation.md).
 #pragma once
 
 #include "core/base/tunable.h"

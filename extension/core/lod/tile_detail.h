@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How many blades of a tile are simulated: those that the level of detail draws there, in the picture or in shadows, from where the
-// cameras are (docs/decisions/0079-simulate-what-is-seen.md). Where they look does not matter: they may turn at any time. With a budget of
-// time they may be fewer (docs/decisions/0090-a-budget-for-the-simulation.md): the others of those that are drawn follow them.
+// cameras are (docs/history/0079-simulate-what-is-seen.md). Where they look does not matter: they may turn at any time. With a budget of
+// time they may be fewer (docs/history/0090-a-budget-for-the-simulation.md): the others of those that are drawn follow them.
 #pragma once
 
 #include "core/lod/cull.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paint by hand covers what rules fill, and no rule changes it (docs/decisions/0007). MAP_PAINT stores the painted density h and how much
+// Paint by hand covers what rules fill, and no rule changes it (docs/history/0007). MAP_PAINT stores the painted density h and how much
 // of the rule it covers, c; what grows, MAP_DENSITY, is rule (1 - c) + h c.
 #pragma once
 

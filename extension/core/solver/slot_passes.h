@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Determines which pass of the GPU simulates which slot (docs/decisions/0019-dispatches-without-barriers.md), and in which workgroup
-// (docs/decisions/0079-simulate-what-is-seen.md).
+// Determines which pass of the GPU simulates which slot (docs/history/0019-dispatches-without-barriers.md), and in which workgroup
+// (docs/history/0079-simulate-what-is-seen.md).
 #pragma once
 
 #include "core/solver/step.h"
@@ -39,7 +39,7 @@ using SlotPasses = std::array<PassGroups, SLOT_PASSES>; // by SlotPass
 
 // Copies p_input.slots to r_slots, which has room for as many, in the order of the workgroups that simulate them, and sets GrassSlot.group
 // of as many records as there are workgroups. Those that take longest come first: by pass; then, within a pass, tiles with a fast collider,
-// then, if there are more tiles than a GPU simulates at once, those with the liveliest blades (docs/decisions/0047-lively-tiles-first.md).
+// then, if there are more tiles than a GPU simulates at once, those with the liveliest blades (docs/history/0047-lively-tiles-first.md).
 // p_energies: J/kg, by slot, as last reported; slots beyond its end have no known energy and come last.
 SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, GroupLimits p_limits, std::span<GrassSlot> r_slots);
 

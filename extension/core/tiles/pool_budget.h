@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The number of tiles that all fields together may have awake. Each field has slots of its own, which it makes as its tiles wake; this
-// class only counts them, and says how many each field may use (docs/decisions/0098-one-pool-for-all-fields.md).
+// class only counts them, and says how many each field may use (docs/history/0098-one-pool-for-all-fields.md).
 #pragma once
 
 #include "core/tiles/tile_view.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The channels of a GrassMap as pictures: images for scripts, PNG and EXR for painting programs.
-#include "resources/grass_map.h"
+#include "resources/channel_images.h"
 
+#include "core/paint/channel_picture.h"
 #include "core/paint/picture_header.h"
 #include "resources/grass_map_file.h"
+#include "resources/map_painting.h"
 #include "resources/size_limits.h"
 #include "shared/convert.h"
 #include "shared/text.h"
@@ -72,17 +73,15 @@ PictureProblem compare_size(const char *p_channel, const TexelRect &p_rect, int6
 					  p_width, p_height, p_channel, p_rect.width, p_rect.depth));
 }
 
-} // namespace
-
 // Finds the texels that a region of a channel's picture covers.
-PictureProblem GrassMap::find_rect(Channel p_channel, const Rect2 &p_region, TexelRect &r_rect) const {
+PictureProblem find_rect(const GrassMap &p_map, GrassMap::Channel p_channel, const Rect2 &p_region, TexelRect &r_rect) {
 	if (p_channel < 0 || p_channel >= int64_t(MAP_CHANNELS)) {
 		return refuse("no such channel. Use one of the CHANNEL_* constants.");
 	}
 	const MapChannel channel = MapChannel(p_channel);
 	MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	if (p_region == Rect2()) {
-		const std::optional<MapRegion> painted = find_painted(copy(), channel);
+		const std::optional<MapRegion> painted = find_painted(p_map.copy(), channel);
 		if (!painted) {
 			return refuse(vformat("%s was painted nowhere, so the picture needs a region.", info_of(channel).name));
 		}
@@ -101,28 +100,22 @@ PictureProblem GrassMap::find_rect(Channel p_channel, const Rect2 &p_region, Tex
 					  ERR_OUT_OF_MEMORY);
 }
 
-PictureProblem GrassMap::make_picture(Channel p_channel, const Rect2 &p_region, bool p_is_float, Ref<Image> &r_image) const {
+PictureProblem make_picture(
+		const GrassMap &p_map, GrassMap::Channel p_channel, const Rect2 &p_region, bool p_is_float, Ref<Image> &r_image) {
 	TexelRect rect;
-	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(p_map, p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
-	const Pixels pixels = read_pixels(copy(), MapChannel(p_channel), rect, p_is_float);
+	const Pixels pixels = read_pixels(p_map.copy(), MapChannel(p_channel), rect, p_is_float);
 	r_image = Image::create_from_data(
 			rect.width, rect.depth, false, image_format(picture_format(MapChannel(p_channel), p_is_float)), to_bytes(std::span(pixels)));
 	return r_image.is_valid() && !r_image->is_empty() ? PictureProblem()
 													  : refuse("the engine cannot make so large an image. Use smaller regions.");
 }
 
-Ref<Image> GrassMap::get_channel_image(Channel p_channel, const Rect2 &p_region, bool p_is_float) const {
-	Ref<Image> image;
-	const PictureProblem problem = make_picture(p_channel, p_region, p_is_float, image);
-	ERR_FAIL_COND_V_MSG(problem.error != OK, Ref<Image>(), vformat("%s: get_channel_image(): %s", label(), problem.text));
-	return image;
-}
-
-PictureProblem GrassMap::lay_picture(Channel p_channel, const Ref<Image> &p_image, const Rect2 &p_region) {
+PictureProblem lay_image(GrassMap &r_map, GrassMap::Channel p_channel, const Ref<Image> &p_image, const Rect2 &p_region) {
 	TexelRect rect;
-	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(r_map, p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
 	if (p_image.is_null() || p_image->is_empty()) {
@@ -139,46 +132,56 @@ PictureProblem GrassMap::lay_picture(Channel p_channel, const Ref<Image> &p_imag
 	}
 	const PackedByteArray bytes = image->get_data();
 	const ReadLimits limits = get_read_limits();
+	const String label = r_map.label(); // a listener may free the map
 	LaidPicture laid;
-	String refusal;
-	{
-		std::lock_guard lock(_lock);
-		refusal = find_refusal();
-		PaintMap now = _map;
-		if (refusal.is_empty()) {
-			laid = grass::lay_picture(now, MapChannel(p_channel), rect, std::span(bytes.ptr(), size_t(bytes.size())), *format);
+	std::string reason;
+	const auto lay = [&](PaintMap &r_changed) {
+		PaintMap now = r_changed;
+		LaidPicture result = lay_picture(now, MapChannel(p_channel), rect, std::span(bytes.ptr(), size_t(bytes.size())), *format);
+		reason = result.reason;
+		if (const size_t size = now.get_memory_usage(); size > limits.map_bytes && size > r_changed.get_memory_usage()) {
+			reason = "would make the map take " + megabytes(size) + " of memory, but it may take at most " + megabytes(limits.map_bytes) +
+					limits.map_hint + ".";
 		}
-		if (const size_t size = now.get_memory_usage(); size > limits.map_bytes && size > _map.get_memory_usage()) {
-			laid.reason = "would make the map take " + megabytes(size) + " of memory, but it may take at most " +
-					megabytes(limits.map_bytes) + limits.map_hint + ".";
-		} else if (refusal.is_empty() && laid.reason.empty()) {
-			_map = std::move(now);
+		if (!reason.empty()) {
+			return LaidPicture();
 		}
-	}
-	if (!refusal.is_empty() || !laid.reason.empty()) {
-		return refuse(refusal.is_empty() ? vformat("the picture %s", text_of(laid.reason)) : refusal, ERR_INVALID_DATA);
+		r_changed = std::move(now);
+		return result;
+	};
+	const String refusal = r_map.try_change(lay, laid);
+	if (!refusal.is_empty() || !reason.empty()) {
+		return refuse(refusal.is_empty() ? vformat("the picture %s", text_of(reason)) : refusal, ERR_INVALID_DATA);
 	}
 	if (laid.clamped > 0) {
-		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label(),
-				int64_t(laid.clamped), info.name, info.value(info.lowest), info.value(info.highest)));
+		WARN_PRINT(vformat("%s: %d pixels had values outside of what %s can be, %s to %s. They were clamped.", label, int64_t(laid.clamped),
+				info.name, info.value(info.lowest), info.value(info.highest)));
 	}
-	tell(laid, false);
 	return {};
 }
 
-bool GrassMap::set_channel_image(Channel p_channel, const Ref<Image> &p_image, const Rect2 &p_region) {
-	const PictureProblem problem = lay_picture(p_channel, p_image, p_region);
-	ERR_FAIL_COND_V_MSG(problem.error != OK, false, vformat("%s: set_channel_image(): %s", label(), problem.text));
+} // namespace
+
+Ref<Image> get_channel_image(const GrassMap &p_map, GrassMap::Channel p_channel, const Rect2 &p_region, bool p_is_float) {
+	Ref<Image> image;
+	const PictureProblem problem = make_picture(p_map, p_channel, p_region, p_is_float, image);
+	ERR_FAIL_COND_V_MSG(problem.error != OK, Ref<Image>(), vformat("%s: get_channel_image(): %s", p_map.label(), problem.text));
+	return image;
+}
+
+bool set_channel_image(GrassMap &r_map, GrassMap::Channel p_channel, const Ref<Image> &p_image, const Rect2 &p_region) {
+	const PictureProblem problem = lay_image(r_map, p_channel, p_image, p_region);
+	ERR_FAIL_COND_V_MSG(problem.error != OK, false, vformat("%s: set_channel_image(): %s", r_map.label(), problem.text));
 	return true;
 }
 
-PictureProblem GrassMap::write_picture(Channel p_channel, const String &p_path, const Rect2 &p_region) const {
+PictureProblem write_picture(const GrassMap &p_map, GrassMap::Channel p_channel, const String &p_path, const Rect2 &p_region) {
 	const bool is_exr = p_path.get_extension().to_lower() == EXR;
 	if (!is_exr && p_path.get_extension().to_lower() != PNG) {
 		return refuse("a picture is saved as .png (8 bit) or .exr (floats).", ERR_FILE_UNRECOGNIZED);
 	}
 	Ref<Image> image;
-	if (PictureProblem problem = make_picture(p_channel, p_region, is_exr, image); problem.error != OK) {
+	if (PictureProblem problem = make_picture(p_map, p_channel, p_region, is_exr, image); problem.error != OK) {
 		return problem;
 	}
 	const MapChannelInfo &info = info_of(MapChannel(p_channel));
@@ -194,9 +197,9 @@ PictureProblem GrassMap::write_picture(Channel p_channel, const String &p_path, 
 	return error == OK ? PictureProblem() : refuse("the file cannot be written. Check that the folder exists.", error);
 }
 
-PictureProblem GrassMap::read_picture(Channel p_channel, const String &p_path, const Rect2 &p_region) {
+PictureProblem read_picture(GrassMap &r_map, GrassMap::Channel p_channel, const String &p_path, const Rect2 &p_region) {
 	TexelRect rect;
-	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(r_map, p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
 	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
@@ -228,18 +231,18 @@ PictureProblem GrassMap::read_picture(Channel p_channel, const String &p_path, c
 		return refuse(
 				"the file is damaged, cut off, or of a kind that the engine does not read. Save the picture again.", ERR_FILE_CORRUPT);
 	}
-	return lay_picture(p_channel, image, p_region);
+	return lay_image(r_map, p_channel, image, p_region);
 }
 
-int64_t GrassMap::save_channel_image(Channel p_channel, const String &p_path, const Rect2 &p_region) const {
-	const PictureProblem problem = write_picture(p_channel, p_path, p_region);
-	ERR_FAIL_COND_V_MSG(problem.error != OK, problem.error, vformat("%s: cannot save '%s': %s", label(), p_path, problem.text));
+int64_t save_channel_image(const GrassMap &p_map, GrassMap::Channel p_channel, const String &p_path, const Rect2 &p_region) {
+	const PictureProblem problem = write_picture(p_map, p_channel, p_path, p_region);
+	ERR_FAIL_COND_V_MSG(problem.error != OK, problem.error, vformat("%s: cannot save '%s': %s", p_map.label(), p_path, problem.text));
 	return OK;
 }
 
-int64_t GrassMap::load_channel_image(Channel p_channel, const String &p_path, const Rect2 &p_region) {
-	const PictureProblem problem = read_picture(p_channel, p_path, p_region);
-	ERR_FAIL_COND_V_MSG(problem.error != OK, problem.error, vformat("%s: cannot load '%s': %s", label(), p_path, problem.text));
+int64_t load_channel_image(GrassMap &r_map, GrassMap::Channel p_channel, const String &p_path, const Rect2 &p_region) {
+	const PictureProblem problem = read_picture(r_map, p_channel, p_path, p_region);
+	ERR_FAIL_COND_V_MSG(problem.error != OK, problem.error, vformat("%s: cannot load '%s': %s", r_map.label(), p_path, problem.text));
 	return OK;
 }
 
