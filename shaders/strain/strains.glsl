@@ -197,12 +197,18 @@ StrainStep make_strain_step(vec4 p_air) {
 			step.contact.z);
 }
 
-// Returns the blade's root, metres from the centre of the tile.
-vec3 find_blade(uint p_number) {
+void find_blade(uint p_number) {
 	take_blade(p_number);
+	find_growth(texelFetch(patch_texture, patch_texel(0), 0).xy);
+}
+// [Eq W6] Of the forces on the tile. Called where few other values are needed afterwards: each of them would take a register.
+vec4 find_air() {
+	if (slot.list.w >> GRASS_SLOT_FORCES == 0u) {
+		return vec4(0.0);
+	}
 	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
 	float ground = find_growth(place);
-	return vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
+	return air_of_forces(vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x));
 }
 StrainBlade load_blade() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
@@ -220,12 +226,12 @@ bool is_resting(vec4 p_air) {
 	return sum <= 0.0;
 }
 
-void step_blade(uint p_tile, vec3 p_root) {
-	vec4 air = air_of_forces(p_root);
+void step_blade(uint p_tile) {
 	StrainBlade own = load_blade();
 	if ((pool_half[slot.tile.w] & HAS_STRAINS) == 0u) {
 		take_chain(own);
 	}
+	vec4 air = find_air();
 	if (!is_resting(air)) {
 		StrainSection section = load_section();
 		StrainStep own_step = make_strain_step(air);
@@ -240,7 +246,7 @@ void main() {
 	uint tile = gl_LocalInvocationID.x / group.y, lane = gl_LocalInvocationID.x % group.y;
 	bool has_tile = tile < group.z, passes = step.contact.x >= 1.0; // else no time passes
 	slot = slots[group.x + min(tile, group.z - 1u)];
-	vec3 root = find_blade(lane);
+	find_blade(lane);
 	uint state = passes ? HAS_STRAINS : pool_half[slot.tile.w] & ~1u;
 	if (lane == 0u) {
 		begin_report(tile);
@@ -248,7 +254,7 @@ void main() {
 	barrier();
 	bool is_simulated = has_tile && lane < uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
 	if (is_simulated && passes) {
-		step_blade(tile, root);
+		step_blade(tile);
 	}
 	blade.half_now = passes ? 1u - blade.half_now : blade.half_now; // the next step starts from this step's places
 	if (is_simulated) {
