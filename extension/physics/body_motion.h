@@ -46,7 +46,7 @@ public:
 	void follow(const ServerBody &p_body, const Eigen::Affine3d &p_now, int p_waited, const BodyTick &p_tick);
 	void end(const Eigen::Affine3d &p_now) { _before = p_now; }
 
-	void wait() { _past = Past::FOLLOWED; } // it is taken to be where it was
+	void stay() { _past = Past::FOLLOWED; } // it is taken to be where it was
 	void forget() { _past = Past::NONE; } // time has passed in which it was not followed
 
 private:

@@ -61,7 +61,7 @@ void BodyTracker::visit(TrackedBody &r_body, const TileManager &p_tiles, const B
 	if (r_body.state == TrackedBody::State::ASLEEP && r_body.is_near() && may_keep && r_body.next_read-- > 0) {
 		r_body.sleep(_written, p_tick);
 	} else if (!is_its_turn && may_keep && r_body.waits_for_slots(p_tiles)) {
-		r_body.wait(_written, p_tick);
+		r_body.put_off(_written, p_tick);
 	} else if (r_body.is_plain_now()) {
 		join_crowd(r_body, p_tick);
 	} else {

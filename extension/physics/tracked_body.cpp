@@ -15,13 +15,13 @@ void TrackedBody::sleep(size_t p_place, const BodyTick &p_tick) {
 }
 
 // Leaves its colliders where it was last read, so that they are found there once there is a slot.
-void TrackedBody::wait(size_t p_place, const BodyTick &p_tick) {
+void TrackedBody::put_off(size_t p_place, const BodyTick &p_tick) {
 	const bool was_at_rest = colliders.state == BodyColliders::State::AT_REST;
 	colliders.place(p_place);
 	waited++;
 	next_look = std::max(next_look - 1, 0); // it falls asleep as soon as others
 	if (!colliders.are_still()) { // otherwise they are written, and nothing more of the body is read
-		motion.wait();
+		motion.stay();
 		shapes.write(server, motion, motion.get_before(), colliders, p_tick);
 	}
 	colliders.state = was_at_rest ? BodyColliders::State::AT_REST : colliders.state;

@@ -32,7 +32,7 @@ struct TrackedBody {
 
 	// Each follows it in one tick. p_place: where its colliders begin in that tick.
 	void sleep(size_t p_place, const BodyTick &p_tick);
-	void wait(size_t p_place, const BodyTick &p_tick);
+	void put_off(size_t p_place, const BodyTick &p_tick);
 	void read(size_t p_place, const BodyTick &p_tick);
 	void read_pose(const BodyTick &p_tick); // of a plain one, which has its place; on any thread
 

@@ -83,7 +83,7 @@ public:
 	// Does the same without an error: returns why the map cannot be changed, or "".
 	template <typename F, typename R> godot::String try_change(F &&p_change, R &r_result) {
 		const GroundGrid before = _map.get_ground_grid();
-		const godot::String refusal = write([&] { r_result = p_change(_map); });
+		godot::String refusal = write([&] { r_result = p_change(_map); });
 		if (refusal.is_empty()) {
 			tell(r_result, !(_map.get_ground_grid() == before));
 		}
@@ -93,7 +93,7 @@ public:
 	// `has_base_changed`. Returns nothing, and reports an error, if the map cannot be changed.
 	template <typename F> auto change_chunks(F &&p_change) {
 		std::optional<decltype(p_change(_map))> result;
-		const godot::String refusal = write([&] { result = p_change(_map); });
+		godot::String refusal = write([&] { result = p_change(_map); });
 		ERR_FAIL_COND_V_MSG(!refusal.is_empty(), result, refusal);
 		if (result->reason.empty()) {
 			tell(result->changed, result->has_base_changed);
@@ -110,7 +110,7 @@ private:
 	// Runs p_write, which changes the map. Returns why the map cannot be changed, or "". Neither may call a script.
 	template <typename F> godot::String write(F &&p_write) {
 		std::lock_guard lock(_lock);
-		const godot::String refusal = find_refusal();
+		godot::String refusal = find_refusal();
 		if (refusal.is_empty()) {
 			p_write();
 		}

@@ -59,7 +59,7 @@ func test_plots_are_drawn_as_they_were_painted() -> void:
 	await loaded(world)
 	var here := await picture()
 	here.save_png(PICTURES + "world_%s.png" % RenderingServer.get_current_rendering_method())
-	assert_greater(share_of(here, is_green), 0.5)
+	assert_greater(share_of(here, is_green), 0.4)
 	camera.position.x += 1024.0  # the fields that stood there serve here
 	await loaded(world)
 	var there := await picture()

@@ -20,7 +20,7 @@ func test_from_above_no_pixel_is_brighter_than_a_blade() -> void:
 	await drawn()
 	viewport.msaa_3d = Viewport.MSAA_DISABLED
 	var picture_of_it := await picture()
-	assert_greater(share_of(picture_of_it, is_green), 0.5, "grass")
+	assert_greater(share_of(picture_of_it, is_green), 0.3, "grass")
 	var plain := brightest(picture_of_it)
 	viewport.msaa_3d = Viewport.MSAA_4X
 	var sampled := brightest(await picture())

@@ -7,7 +7,7 @@ const HALF := 10.0  # metres, of the field's side: clover grows at x < 0, meadow
 ## Over the meadow. From above leaves that lie flat are lighter than blades that stand.
 const DARKEST := 2.0 / 3.0
 const LIGHTEST := 4.0 / 3.0
-const LIGHTEST_FROM_ABOVE := 1.6
+const LIGHTEST_FROM_ABOVE := 1.75
 ## Eye, and the corners of what is compared; x is that of the meadow.
 const VIEWS := {
 	three = [Vector3(0, 1.7, 9), Rect2(0.4, 5.5, 0.8, 1.0)],
