@@ -40,7 +40,7 @@ def write_page(folder):
 
 
 def section(view):
-	pictures = [f"![{view['about']}, {words}](../../docs/images/conditions/{view['name']}_{kind}.jpg)" for kind, words in KINDS.items()]
+	pictures = [f"![{view['about']}, {words}](../images/conditions/{view['name']}_{kind}.jpg)" for kind, words in KINDS.items()]
 	return [
 		f"## {view['about']}",
 		"",
