@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include "core/bodies/collider.cpp"
+#include "core/solver/blade_order.cpp"
 #include "core/solver/section.cpp"
 #include "core/solver/solver_params.cpp"
 #include "core/solver/step_scalar.cpp"
