@@ -3,7 +3,6 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(640, 720)  # narrow: beside the field there would be sky from 90 m on
-const PICTURES := "user://pictures/"  # looked at by people
 const EYE := 1.7  # metres above the ground
 const HALF := 200.0  # metres, of the field
 const WINDOW := 1.2  # metres that a reference is high, at least
@@ -18,7 +17,6 @@ var world: WorldEnvironment
 
 func before() -> void:
 	open_view(SIZE)
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	camera.far = 420.0
 	sun = DirectionalLight3D.new()
 	viewport.add_child(sun)

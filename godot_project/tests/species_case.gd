@@ -4,13 +4,11 @@ extends "res://tests/view_case.gd"
 
 const SIDE := 512  # pixels
 const SKY := Color(0.3, 0.4, 0.9)  # of view_case.gd
-const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:
 	open_view(Vector2i(SIDE, SIDE))
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 
 
 func make(share: float, color: Color, properties := {}) -> GrassSpecies:

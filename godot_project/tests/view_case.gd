@@ -2,6 +2,8 @@
 ## A test that draws: a small viewport with a world of its own, a camera, a light, and fields in it.
 extends "res://tests/field_case.gd"
 
+const SAVED := "user://pictures/"
+
 var viewport: SubViewport
 var camera: Camera3D
 var picture_size: Vector2i  # of the pictures that are compared
@@ -24,6 +26,12 @@ func open_view(size: Vector2i, finer := 1) -> void:
 	camera.far = 100.0
 	camera.position = Vector3(0, 1, 3)
 	viewport.add_child(camera)
+
+
+## Writes a picture that people may look at.
+func save(image: Image, name: String) -> void:
+	DirAccess.make_dir_recursive_absolute(SAVED)
+	image.save_png(SAVED + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
 ## A GrassField in the viewport; see add_field().

@@ -13,7 +13,7 @@ namespace {
 // Grass this far outside the view counts as visible, so that it is up to date when a camera turns towards it. Metres. Smaller: bodies
 // visibly push into the grass when the camera turns fast. Larger: more invisible grass is simulated.
 constexpr float VIEW_MARGIN = 3.0f;
-// Blades move by their strains once a swing has died down to a tenth since something was near them, at the latest after this, seconds.
+// Blades move by their strains once a swing has died down to a tenth since a collider was in their tile, at the latest after this, seconds.
 constexpr double MOST_ALONE_TIME = 2.0;
 
 } // namespace

@@ -32,7 +32,7 @@ struct TileParams {
 	double contact_distance = 0.0; // From an eye: contact_rate applies up to there. Metres; 0: everywhere.
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Largest energy of calm blades. J/kg.
-	// Seconds for which nothing was near a tile's blades, before they move by their strains. Less: they jump then, by more than a
+	// Seconds for which no collider was in a tile, before its blades move by their strains. Less: they jump then, by more than a
 	// millimetre. More: they cost twice as much for longer.
 	double alone_time = 0.5;
 	double alone_air = 20.0; // Air that forces move faster than that bends blades more sharply than their strains can tell. m/s.

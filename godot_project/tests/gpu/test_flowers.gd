@@ -14,8 +14,7 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	violet.card = flower(Color(0.7, 0.1, 0.7))
 	await drawn()
 	var gpu := await next_picture()
-	gpu.save_png(PICTURES + "flowers.png")
-	print("    %s" % ProjectSettings.globalize_path(PICTURES + "flowers.png"))
+	save(gpu, "flowers")
 	var share := share_of(gpu, is_violet)
 	print("    flowers on %.3f of the picture" % share)
 	assert_greater(share, 0.01)
@@ -115,7 +114,7 @@ func test_flowers_bend_with_their_blades() -> void:
 	await drawn()
 	var bent := _tips(field)
 	image = await next_picture()
-	image.save_png(PICTURES + "flowers_bent.png")
+	save(image, "flowers_bent")
 	var moved := PackedVector3Array()
 	var left := PackedVector3Array()
 	for i in rest.size():

@@ -39,7 +39,7 @@ func test_grass_is_as_light_as_all_of_its_blades_at_any_distance() -> void:
 	for light: String in LIGHTS:
 		set_light(light)
 		var image := await next_picture()
-		image.save_png(PICTURES + "light_%s.png" % light)
+		save(image, "light_%s" % light)
 		means[light] = profile_of(image)
 	for i in DISTANCES.size():
 		var wholes := await references(field, DISTANCES[i])
@@ -57,7 +57,7 @@ func test_gusts_are_waves_of_light() -> void:
 	var calm := await picture()
 	field.wind_speed = 6.0
 	var windy := await picture()
-	windy.save_png(PICTURES + "gusts.png")
+	save(windy, "gusts")
 	var least := {12.0: 0.15, 30.0: 0.15, 80.0: 0.06}
 	for distance: float in least:
 		var waves := contrast(columns_at(windy, distance), columns_at(calm, distance))

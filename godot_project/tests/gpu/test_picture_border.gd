@@ -4,14 +4,12 @@ extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
 const PIXEL := 0.02  # metres
-const PICTURES := "user://pictures/"  # looked at by people
 
 
 ## Straight from above, over a white floor.
 func before() -> void:
 	open_view(SIZE)
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	var below := MeshInstance3D.new()
 	below.mesh = PlaneMesh.new()
 	below.mesh.size = Vector2(60, 60)
@@ -21,10 +19,6 @@ func before() -> void:
 	viewport.add_child(below)
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = PIXEL * SIZE.y
-
-
-func save(image: Image, name: String) -> void:
-	image.save_png(PICTURES + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
 ## Mean luminance of each column.

@@ -7,7 +7,6 @@ const FINER := 8  # times as many pixels a side show all blades of what SIZE sho
 const FRONT := Vector3(-35, 180, 0)  # rotations of the sun, for a camera that looks along -z
 const SIDE := Vector3(-50, 90, 0)
 const BACK := Vector3(-25, 0, 0)
-const PICTURES := "user://pictures/"  # looked at by people
 
 var sun: DirectionalLight3D
 
@@ -15,14 +14,9 @@ var sun: DirectionalLight3D
 func before() -> void:
 	open_view(SIZE)
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	camera.far = 1000.0
 	camera.fov = 30.0
 	sun = viewport.get_child(1) as DirectionalLight3D
-
-
-func save(image: Image, name: String) -> void:
-	image.save_png(PICTURES + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
 func full_picture(size: Vector2i) -> Image:

@@ -4,7 +4,6 @@ extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
 const HIGH := 150.0  # metres, of the camera
-const PICTURES := "user://pictures/"  # looked at by people
 
 var sun: DirectionalLight3D
 
@@ -12,15 +11,9 @@ var sun: DirectionalLight3D
 func before() -> void:
 	open_view(SIZE)
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	camera.far = 200.0
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	sun = viewport.get_child(1) as DirectionalLight3D
-
-
-func save(image: Image, name: String) -> void:
-	image.save_png(PICTURES + name + ".png")
-	print("    %s" % ProjectSettings.globalize_path(PICTURES + name + ".png"))
 
 
 ## Hardly a blade stands on it.

@@ -3,24 +3,18 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
-const PICTURES := "user://pictures/"  # looked at by people
 const HOOKS := "res://addons/grass_field/hooks/"
 const HEAD := "void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission) {\n"
 
 
 func before() -> void:
 	open_view(SIZE)
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 
 
 func hook(code: String) -> ShaderInclude:
 	var made := ShaderInclude.new()
 	made.code = code
 	return made
-
-
-func save(image: Image, name: String) -> void:
-	image.save_png(PICTURES + "hook_%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
 ## Expressions of s, each a number, in one hook: a shader for each takes the engine seconds.
@@ -93,7 +87,7 @@ func test_a_hook_changes_blades_and_soil_and_goes() -> void:
 	field.surface_hook = hook("uniform vec3 hook_color : source_color;\n" + HEAD + "\talbedo = grass_linear(hook_color);\n}\n")
 	field.set_hook_parameter("hook_color", Color(0.8, 0.1, 0.1))
 	var red := await picture()
-	save(red, "red")
+	save(red, "hook_red")
 	assert_greater(share_of(red, is_red), 0.6)
 	assert_eq(share_of(plain, is_red), 0.0)
 	field.debug_view = GrassField.DEBUG_VIEW_LOD
@@ -108,7 +102,7 @@ func test_snow_and_wetness() -> void:
 	var field := add_seen_field({size = Vector2(12, 12), surface_hook = load(HOOKS + "weather.gdshaderinc")})
 	look(Vector3(0, 1.2, 4), Vector3(0, 0, 1.5))
 	var plain := await picture()
-	save(plain, "dry")
+	save(plain, "hook_dry")
 	field.surface_hook = null
 	assert_less(difference(plain, await picture()).y, 1e-3, "without weather the hook changes nothing")
 	field.surface_hook = load(HOOKS + "weather.gdshaderinc")
@@ -116,20 +110,20 @@ func test_snow_and_wetness() -> void:
 	for snow: float in [0.3, 0.6, 1.0]:
 		field.snow = snow
 		var snowy := await picture()
-		save(snowy, "snow_%d" % roundi(100 * snow))
+		save(snowy, "hook_snow_%d" % roundi(100 * snow))
 		assert_greater(mean(snowy).b, whiter + 0.03, "more snow is whiter: %.1f" % snow)
 		whiter = mean(snowy).b
 	field.snow = 0.0
 	field.wetness = 1.0
 	var wet := await picture()
-	save(wet, "wet")
+	save(wet, "hook_wet")
 	assert_less(mean(wet).g, mean(plain).g - 0.02, "wet grass is darker")
 	for sun: DirectionalLight3D in viewport.find_children("*", "DirectionalLight3D", true, false):
 		sun.rotation_degrees = Vector3(-20, 180, 0)  # into the eye
 	await drawn()
 	var spot := Rect2i(76, 24, 32, 28)  # below the sun
 	var shining := await next_picture()
-	save(shining, "wet_against_the_sun")
+	save(shining, "hook_wet_against_the_sun")
 	field.set_hook_parameter("wet_roughness", 0.9)
 	var dull := await picture()
 	print("    wet grass against the sun shines by %.4f" % (mean(shining.get_region(spot)).g - mean(dull.get_region(spot)).g))

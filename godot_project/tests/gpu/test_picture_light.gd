@@ -4,7 +4,6 @@ extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
 const GRASS := Rect2i(0, 28, 192, 80)  # what of a picture shows nothing else
-const PICTURES := "user://pictures/"  # looked at by people
 const MEANS := "user://renderers_agree.json"  # of Forward+
 const UNLIKE := 1.2  # the greatest distance of mean colours in CIE L*a*b*; 2 is just seen
 
@@ -15,7 +14,6 @@ var world: WorldEnvironment
 
 func before() -> void:
 	open_view(SIZE)
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	sun = DirectionalLight3D.new()
 	viewport.add_child(sun)
 	environment = Environment.new()
@@ -105,8 +103,7 @@ func test_all_renderers_show_the_same_colours() -> void:
 				world.environment = null
 		field.cast_shadow = int(light == "side, shadows of grass") as GeometryInstance3D.ShadowCastingSetting
 		var image := await picture()
-		var file := "light_%s_%s.png" % [light.replace(",", "").replace(" ", "_"), RenderingServer.get_current_rendering_method()]
-		image.save_png(PICTURES + file)
+		save(image, "light_" + light.replace(",", "").replace(" ", "_"))
 		means[light] = mean(image.get_region(GRASS))
 	compare(means)
 

@@ -3,13 +3,11 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(480, 270)
-const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:
 	open_view(SIZE)
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 
 
 ## Hills, a path that is trampled bare, a mown square, a red patch, and grass combed aside.
@@ -27,11 +25,6 @@ func meadow() -> GrassMap:
 	map.stroke(brush(GrassBrush.TOOL_TINT, 2.5, {color = Color(0.8, 0.1, 0.1)}), Vector2(4, 5), Vector2(4, 5))
 	map.stroke(brush(GrassBrush.TOOL_COMB, 2.0), Vector2(-6, 1), Vector2(-5, 1))
 	return map
-
-
-func save(image: Image, name: String) -> void:
-	image.save_png(PICTURES + name + ".png")
-	print("    %s" % ProjectSettings.globalize_path(PICTURES + name + ".png"))
 
 
 func test_both_backends_draw_the_map_alike() -> void:

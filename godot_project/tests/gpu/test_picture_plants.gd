@@ -83,7 +83,7 @@ func test_a_far_plant_keeps_the_place_of_its_colours() -> void:
 	field.clump_height = 0.0
 	field.clump_lean = 0.0
 	var image := await picture()
-	image.save_png(PICTURES + "far_plants.png")
+	save(image, "far_plants")
 	var half := Vector2i(image.get_width(), image.get_height() / 2)
 	var above := image.get_region(Rect2i(Vector2i.ZERO, half))
 	var below := image.get_region(Rect2i(Vector2i(0, half.y), half))

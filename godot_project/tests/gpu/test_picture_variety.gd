@@ -40,7 +40,7 @@ func test_hues_differ_from_clump_to_clump_and_not_in_the_mean() -> void:
 		species.hue_variation = 1.0
 		await grown(field)
 		var varied := await picture()
-		varied.save_png(PICTURES + "hues_%d.png" % height)
+		save(varied, "hues_%d" % height)
 		print("    %d m: hues spread by %.3f, %.3f without" % [height, spread_of_hues(varied), spread_of_hues(even)])
 		assert_greater(spread_of_hues(varied), 2.0 * spread_of_hues(even) + 0.05)
 		for channel in 3:
@@ -66,7 +66,7 @@ func test_ground_is_seen_between_tussocks() -> void:
 		species.tussock_share = share
 		await grown(field)
 		var image := await picture()
-		image.save_png(PICTURES + "tussocks_%d.png" % share)
+		save(image, "tussocks_%d" % share)
 		gaps.append(spread_of_gaps(image))
 	print("    gaps differ by %s" % [gaps])
 	assert_greater(gaps[1], 1.12 * gaps[0])
@@ -95,7 +95,7 @@ func test_leaves_in_a_low_sun_have_no_dots() -> void:
 	sun.shadow_enabled = true
 	await drawn()
 	var with := await picture()
-	with.save_png(PICTURES + "leaves_low_sun.png")
+	save(with, "leaves_low_sun")
 	var off := difference(without, with)
 	print("    shadows change pixels by %.4f" % off.y)
 	assert_less(off.y, 0.0017)  # 0.0012; 0.0022 if leaves look their shadows up where they are
@@ -117,7 +117,7 @@ func test_leaves_are_folded() -> void:
 	look(Vector3(0, 3, 0), Vector3.ZERO)
 	await grown(field)
 	var image := await picture()
-	image.save_png(PICTURES + "folded.png")
+	save(image, "folded")
 	# From one pixel to the one beside it on the same leaf light changes little by little, where a flat leaf has one light.
 	var shaded := 0
 	var inside := 0

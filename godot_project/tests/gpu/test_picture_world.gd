@@ -4,13 +4,11 @@
 extends "res://tests/view_case.gd"
 
 const FOLDER := "user://test_seen_world"
-const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:
 	open_view(Vector2i(640, 360))
 	add_light()
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	DirAccess.make_dir_recursive_absolute(FOLDER)
 	camera.far = 2000.0
 
@@ -58,12 +56,12 @@ func test_plots_are_drawn_as_they_were_painted() -> void:
 	look(Vector3(64, 6, 30), Vector3(64, 0, 0))
 	await loaded(world)
 	var here := await picture()
-	here.save_png(PICTURES + "world_%s.png" % RenderingServer.get_current_rendering_method())
+	save(here, "world")
 	assert_greater(share_of(here, is_green), 0.4)
 	camera.position.x += 1024.0  # the fields that stood there serve here
 	await loaded(world)
 	var there := await picture()
-	there.save_png(PICTURES + "world_painted_%s.png" % RenderingServer.get_current_rendering_method())
+	save(there, "world_painted")
 	assert_less(share_of(there, is_green), 0.6 * share_of(here, is_green), "the middle of the plot is bare")
 	var fields_made: int = world.get_statistics().fields_made
 	camera.position.x -= 1024.0
@@ -107,7 +105,7 @@ func test_clumps_and_stands_are_not_cut_at_a_border() -> void:
 	look(Vector3(128, 40, 64), Vector3(128, 0, 64))
 	await loaded(viewport.get_child(-1))
 	var seen := await picture()
-	seen.save_png(PICTURES + "world_border_%s.png" % RenderingServer.get_current_rendering_method())
+	save(seen, "world_border")
 	var across := apart(strip(seen, 127.0), strip(seen, 128.0))
 	var beside := 0.0
 	for x in range(112, 145):

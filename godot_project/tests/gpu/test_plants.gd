@@ -69,18 +69,13 @@ func share_of_heads(image: Image, places: PackedVector3Array) -> float:
 	return float(seen) / maxi(places.size(), 1)
 
 
-func keep(image: Image, picture_name: String) -> void:
-	image.save_png(PICTURES + picture_name)
-	print("    %s" % ProjectSettings.globalize_path(PICTURES + picture_name))
-
-
 func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	var field := add_plants([make(0.5, GREEN), plant(0.5)])
 	await drawn()
 	var rest := heads(field, 1)
 	var grass := heads(field, 0)
 	var gpu := await next_picture()
-	keep(gpu, "plants.png")
+	save(gpu, "plants")
 	print(
 		(
 			"    %d plants, heads seen on %.3f of them, on %.3f of the grass"
@@ -97,7 +92,7 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	await drawn()
 	var bent := heads(field, 1)
 	var image := await next_picture()
-	keep(image, "plants_bent.png")
+	save(image, "plants_bent")
 	var moved := PackedVector3Array()
 	var left := PackedVector3Array()
 	for i in rest.size():
@@ -122,7 +117,7 @@ func test_both_backends_draw_the_same_plants() -> void:
 	await drawn()
 	var gpu := await next_picture()
 	var count: int = field.get_counters().drawn_plants
-	keep(gpu, "plants_painted.png")
+	save(gpu, "plants_painted")
 	assert_greater(count, 40)
 	assert_eq(count, heads(field, 1).size())
 	assert_greater(share_of_heads(gpu, heads(field, 1)), 0.85)  # heads of one root hide each other
@@ -141,7 +136,7 @@ func test_mown_plants_are_cut() -> void:
 	var before := share_of(await picture(), is_violet)
 	map.stroke(brush(GrassBrush.TOOL_CUT, 6.0, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
 	var image := await picture()
-	keep(image, "plants_mown.png")
+	save(image, "plants_mown")
 	print("    violet: %.4f, mown %.4f" % [before, share_of(image, is_violet)])
 	assert_greater(before, 0.01)
 	assert_less(share_of(image, is_violet), 0.25 * before)
@@ -170,7 +165,7 @@ func test_far_plants_are_pictures_of_their_mesh() -> void:
 	species.plant_distance = 2.0
 	await drawn()
 	var image := await next_picture()
-	keep(image, "plants_far.png")
+	save(image, "plants_far")
 	print("    violet: near %.4f, as pictures %.4f; %d plants" % [near, share_of(image, is_violet), count])
 	assert_greater(count, 100)
 	assert_eq(field.get_counters().drawn_plants, 0)
@@ -200,13 +195,13 @@ func shades(species: GrassSpecies, mesh: Mesh, picture_name: String) -> Vector2:
 		var image := await picture()
 		shade[of_blades] = difference(without, image).y
 		if not of_blades:
-			keep(image, picture_name)
+			save(image, picture_name)
 	print("    shadows change pixels in the mean by %.4f, those of blades by %.4f" % [shade.x, shade.y])
 	return shade
 
 
 func test_plants_cast_shadows() -> void:
-	var shade := await shades(plant(1.0), lollipop(0.2), "plants_shadow.png")
+	var shade := await shades(plant(1.0), lollipop(0.2), "plants_shadow")
 	assert_greater(shade.x, 0.001)
 	assert_greater(shade.x, 2.0 * shade.y)
 
@@ -214,7 +209,7 @@ func test_plants_cast_shadows() -> void:
 func test_the_blade_of_a_near_plant_casts_no_shadow() -> void:
 	var gradient := Gradient.new()  # the shaders of species stay, whatever else it has
 	var wide := plant(1.0, {width_min = 0.08, width_max = 0.08, gradient = gradient})
-	var shade := await shades(wide, lollipop(0.01), "plants_shadow_thin.png")
+	var shade := await shades(wide, lollipop(0.01), "plants_shadow_thin")
 	assert_greater(shade.y, 0.001)
 	assert_less(shade.x, 0.4 * shade.y)
 
@@ -245,12 +240,12 @@ func test_plants_that_others_hide_are_not_drawn() -> void:
 	look(Vector3(0, 1.7, 9.0), Vector3(0, 0.5, 2.0))
 	await drawn()
 	var all := await next_picture()
-	keep(all, "plants_all.png")
+	save(all, "plants_all")
 	var count: int = field.get_counters().drawn_plants
 	field.pixels_min = ClassDB.class_get_property_default_value(&"GrassField", &"pixels_min")
 	await drawn()
 	var image := await next_picture()
-	keep(image, "plants_in_sight.png")
+	save(image, "plants_in_sight")
 	var left: int = field.get_counters().drawn_plants
 	var off := difference(all, image)
 	print("    %d plants, %d in sight; mean colour %s and %s, mean difference %.4f" % [count, left, mean(all), mean(image), off.y])

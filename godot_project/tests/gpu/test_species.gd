@@ -149,8 +149,7 @@ func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
 	var gpu := await picture()
 	assert_greater(share_of(gpu, is_green), 0.3, "grass")
-	gpu.save_png(PICTURES + "species.png")
-	print("    %s" % ProjectSettings.globalize_path(PICTURES + "species.png"))
+	save(gpu, "species")
 	field.backend = GrassField.BACKEND_CPU
 	var off := difference(gpu, await picture())
 	print("    GPU against CPU backend: mean difference %.5f" % off.y)

@@ -21,7 +21,6 @@ var world: WorldEnvironment
 
 func before() -> void:
 	open_view(Vector2i(320, 360), 2)
-	DirAccess.make_dir_recursive_absolute(PICTURES)
 	sun = DirectionalLight3D.new()
 	sun.rotation_degrees = Vector3(-45, 60, 0)
 	sun.light_energy = 1.4
@@ -100,7 +99,7 @@ func test_clover_is_as_light_as_the_meadow_beside_it() -> void:
 			camera.fov = 20.0 if view == "sixty" else 60.0
 			look(eye, Vector3(0, 0, ground.get_center().y) if view != "sixty" else Vector3.ZERO)
 			var image := await picture()
-			image.save_png(PICTURES + "stands_%s_%s.png" % [light, view])
+			save(image, "stands_%s_%s" % [light, view])
 			var meadow := spread_of(lights_in(image, ground))
 			var clover := spread_of(lights_in(image, Rect2(-ground.end.x, ground.position.y, ground.size.x, ground.size.y)))
 			print("    %s, %s: clover %.3f, grain %.2f; meadow %.3f, grain %.2f" % [light, view, clover.x, clover.y, meadow.x, meadow.y])
