@@ -87,7 +87,7 @@ TEST_CASE("pool texels: a frame between two ticks shows the mix of their steps, 
 	for (const float share : { 0.0f, 0.25f, 0.5f, 0.75f, 1.0f }) {
 		for (int slot = 0; slot < SLOTS; slot++) {
 			CHECK(distance_to_mix(scene.shown(slot, share), before[size_t(slot)], scene.pack(slot), share) <
-					3e-4f); // a half's rounding, below 1
+					5e-4f); // a half's rounding, below 2: a twist in radians may be above 1
 		}
 	}
 	CHECK(scene.shown(1, 0.0f) == before[1]);
