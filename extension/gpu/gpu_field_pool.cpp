@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // GpuField's pool: as many slots as the field's awake tiles need, which become more and fewer while tiles are awake.
+#include "core/base/cpu_clock.h"
 #include "gpu/gpu_field.h"
 
 #include <algorithm>
@@ -17,7 +18,11 @@ void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	}
 	_table_changed = true;
 	if (p_slots != _pool_size) {
+		CpuClock clock;
 		make_pool(p_slots, p_moves);
+		std::lock_guard lock(_report->mutex);
+		_report->statistics.pool_makings++;
+		_report->statistics.pool_ms = clock.lap();
 	}
 }
 
