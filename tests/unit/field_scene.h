@@ -69,7 +69,7 @@ public:
 	std::vector<GrassSlot> followers; // likewise
 	StepTime time; // of steps; 0 ms: the device measures none
 	std::vector<GrassSlot> joined;
-	static constexpr int PREPARING = 6; // calls of prepare_pool(), two a tick
+	static constexpr int PREPARING = 5; // calls of prepare_pool(), two a tick
 	int at_once = TileParams::MAX_POOL_SIZE, wanted = 0, ticks_left = 0, made = 0; // slots; calls
 	std::vector<SlotMove> moves; // of the last change of the pool's size
 

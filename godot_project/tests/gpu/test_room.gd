@@ -13,6 +13,7 @@ var at_rest: PackedVector3Array  # the knots of that tile
 func cover(properties := {}) -> Array[Node3D]:
 	var field := add_seen_field({size = Vector2(16, 16), pool_tiles = 1024}.merged(QUICK).merged(properties))
 	await compiled(field)
+	await ticks(1)
 	at_rest = tile_knots(field, MIDDLE)
 	var lid := AnimatableBody3D.new()
 	var box := BoxShape3D.new()
