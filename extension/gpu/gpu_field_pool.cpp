@@ -35,12 +35,14 @@ void GpuField::make_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	take_room(room, p_moves);
 }
 
-// Swaps the old memory for the new one. A tile that wakes writes all that it has in its slot before it reads any of that. Only what all
-// slots are read of at once begins as zeros.
+// Swaps the old memory for the new one, which begins as zeros: a replay must not depend on what a device left there.
 void GpuField::take_room(PoolRoom &r_room, std::span<const SlotMove> p_moves) {
 	const int slots = r_room.get_slots(), kept = std::min(_used_rows, slots);
-	r_room.halves.clear();
-	r_room.energy.clear();
+	for (GpuBuffer *buffer : { &r_room.knots, &r_room.halves, &r_room.twists, &r_room.energy, &r_room.growth, &r_room.blade_species }) {
+		if (buffer->rid().is_valid()) {
+			buffer->clear();
+		}
+	}
 	_pool_size = slots;
 	_knots.swap_parts(r_room.knots, SLOT_BYTES, kept, p_moves);
 	_halves.swap_parts(r_room.halves, int64_t(sizeof(uint32_t)), kept, p_moves);
