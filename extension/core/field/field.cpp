@@ -217,16 +217,16 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 		return false;
 	}
 	fit_pool(r_simulator);
-	prepare_pool(r_simulator); // now, so that it may be there in the next tick
 	if (_pool_budget) {
 		_pool_budget->report(*this, _tiles.get_statistics().awake, _tiles.lacks_grant());
 	}
-	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
-		return false;
+	const bool has_moved = !_tiles.get_slots().empty(); // else nothing is awake: no dispatch, no upload
+	if (has_moved) {
+		step(r_simulator, p_delta, p_forces);
+		spend_budget(r_simulator);
 	}
-	step(r_simulator, p_delta, p_forces);
-	spend_budget(r_simulator);
-	return true;
+	prepare_pool(r_simulator); // for the next tick; last, since a driver that makes memory on a thread lets this one make none
+	return has_moved;
 }
 
 // The next frame applies what follows.
