@@ -65,8 +65,9 @@ void warn_of_device(const FieldProperties &p_properties, const FieldSetup &p_set
 	}
 	if (wanted.drawn_tiles_max > fit.drawn_tiles_max) {
 		r_warnings.push_back(
-				vformat("`drawn_tiles_max` is %d, but the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
-						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
+				vformat("`drawn_tiles_max` is %d, but the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
+						"Lower it to %d.",
+						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, limits.texture_side, fit.drawn_tiles_max));
 	}
 }
 

@@ -50,6 +50,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["pool_tiles"] = p_statistics.pool_tiles;
 	result["pool_slots"] = p_statistics.pool_slots;
 	result["pool_bytes"] = p_statistics.pool_bytes;
+	result["pool_makings"] = backend.pool_makings;
 	result["settling_tiles"] = tiles.settling;
 	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -113,6 +114,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["gather_ms"] = p_statistics.gather_ms;
 	result["tiles_ms"] = p_statistics.tiles_ms;
 	result["upload_ms"] = backend.upload_ms;
+	result["pool_ms"] = backend.pool_ms;
 	result["frame_ms"] = p_statistics.frame_ms;
 	result["build_ms"] = p_statistics.build_ms;
 	result["builds"] = p_statistics.builds;

@@ -24,10 +24,14 @@ RenderingDevice *main_device() {
 	return RenderingServer::get_singleton()->get_rendering_device();
 }
 
-void GpuBuffer::allocate(int64_t p_bytes) {
-	free();
+void GpuBuffer::create(int64_t p_bytes) {
 	_size = std::max<int64_t>(p_bytes, 16);
 	_rid = main_device()->storage_buffer_create(uint32_t(_size));
+}
+
+void GpuBuffer::allocate(int64_t p_bytes) {
+	free();
+	create(p_bytes);
 	clear();
 }
 
@@ -37,21 +41,18 @@ void GpuBuffer::resize(int64_t p_bytes) {
 	}
 }
 
-void GpuBuffer::resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, std::span<const SlotMove> p_moves) {
-	RenderingDevice *device = main_device();
-	const RID old = std::exchange(_rid, RID());
-	allocate(p_part * p_parts);
+void GpuBuffer::swap_parts(GpuBuffer &r_other, int64_t p_part, int64_t p_kept, std::span<const SlotMove> p_moves) {
+	std::swap(_rid, r_other._rid);
+	std::swap(_size, r_other._size);
+	_uploaded = r_other._uploaded = PackedByteArray();
 	const auto copy = [&](int64_t p_from, int64_t p_to, int64_t p_count) {
-		if (p_count > 0) {
-			device->buffer_copy(old, _rid, uint32_t(p_from * p_part), uint32_t(p_to * p_part), uint32_t(p_count * p_part));
+		if (p_count > 0 && p_part > 0) {
+			main_device()->buffer_copy(r_other._rid, _rid, uint32_t(p_from * p_part), uint32_t(p_to * p_part), uint32_t(p_count * p_part));
 		}
 	};
-	copy(0, 0, std::min(p_kept, p_parts));
+	copy(0, 0, p_kept);
 	for (const SlotMove &move : p_moves) {
 		copy(move.from, move.to, move.to == GRASS_NO_SLOT ? 0 : 1);
-	}
-	if (old.is_valid()) {
-		device->free_rid(old);
 	}
 }
 

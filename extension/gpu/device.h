@@ -27,13 +27,14 @@ class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
 
+	// Allocates p_bytes, whatever is in them, for a buffer that has none; on any thread.
+	void create(int64_t p_bytes);
 	// Allocates p_bytes, all zero, for the device to write, without an upload. Frees the old buffer.
 	void allocate(int64_t p_bytes);
 	// Allocates p_bytes if the buffer has another size.
 	void resize(int64_t p_bytes);
-	// Makes a buffer of p_parts parts of p_part bytes. Keeps the first p_kept parts, and moves others from one place to another; the rest
-	// is zero.
-	void resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, std::span<const SlotMove> p_moves);
+	// Becomes r_other, and that becomes this one. Keeps the first p_kept parts of p_part bytes, and moves others from one place to another.
+	void swap_parts(GpuBuffer &r_other, int64_t p_part, int64_t p_kept, std::span<const SlotMove> p_moves);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the uploaded bytes.
 	template <typename T> int64_t upload(std::span<const T> p_records) { return upload_bytes(std::as_bytes(p_records)); }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
+#include "core/base/beside.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
 #include "shared/convert.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 using namespace godot;
@@ -72,6 +74,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
+	drop_next_room();
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture
@@ -119,6 +122,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
 	_is_fitted = false;
+	drop_next_room(); // its blades may grow otherwise
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // replies still on their way belong to the old field
 	if (has_other_blades) { // plants are set again
@@ -150,8 +154,34 @@ void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	_share = -1.0f; // the next frame mixes again, if frames do
-	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end())](
-				 GpuField &r_field) { r_field.resize_pool(p_slots, moves); });
+	const bool is_prepared = _next_room && _next_room->get_slots() == p_slots;
+	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end()), room = is_prepared ? std::move(_next_room) : nullptr](
+				 GpuField &r_field) { r_field.resize_pool(p_slots, moves, room.get()); });
+}
+
+bool GpuBackend::prepare_pool(int p_slots) {
+	if (_room_to_come.valid() && _room_to_come.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+		_next_room = _room_to_come.get();
+	}
+	if (_next_room && _next_room->get_slots() != p_slots) {
+		drop_next_room();
+	}
+	if (p_slots > 0 && !_next_room && !_room_to_come.valid()) {
+		const bool has_species = kind_of(_setup).species;
+		const PoolRoom::Kind kind{ _setup.is_mapped || has_species, has_species, _is_between, _has_motion };
+		_room_to_come = run_beside([p_slots, kind] { return std::make_shared<PoolRoom>(p_slots, kind); });
+	}
+	return _next_room != nullptr;
+}
+
+void GpuBackend::drop_next_room() {
+	if (_room_to_come.valid()) {
+		post([room = std::make_shared<std::future<std::shared_ptr<PoolRoom>>>(std::move(_room_to_come))](
+					 GpuField &) { room->get().reset(); });
+	}
+	if (_next_room) {
+		post([room = std::move(_next_room)](GpuField &) mutable { room.reset(); });
+	}
 }
 
 void GpuBackend::draw(const FieldView &p_view) {

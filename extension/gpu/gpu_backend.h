@@ -17,11 +17,13 @@
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/texture2drd.hpp>
 
+#include <future>
 #include <utility>
 
 namespace grass {
 
 class GpuField;
+class PoolRoom;
 struct FieldMultiMeshes;
 struct GpuReport;
 struct KnotReport;
@@ -41,6 +43,8 @@ public:
 	bool can_join() override { return grass::can_join(kind_of(_setup)); }
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;
+	int get_slots_at_once() const override { return SLOTS_AT_ONCE; }
+	bool prepare_pool(int p_slots) override;
 	void draw(const FieldView &p_view) override;
 	void show_between(bool p_is_between, float p_share) override;
 	void show_motion(bool p_is_read, bool p_has_blown) override;
@@ -67,6 +71,10 @@ private:
 		_is_settled = false;
 		RenderQueue::get_singleton()->post([field = _field, job = std::forward<F>(p_job)]() mutable { job(*field); });
 	}
+	// 8.6 MB. More: a driver takes longer to make them than a frame has to spare. Fewer: tiles wait for a tick or two more often.
+	static constexpr int SLOTS_AT_ONCE = 256;
+
+	void drop_next_room();
 	FieldMultiMeshes multimeshes() const;
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
@@ -107,6 +115,8 @@ private:
 	KnotWatch _watch;
 	std::shared_ptr<KnotReport> _knot_report; // of the running field
 	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
+	std::future<std::shared_ptr<PoolRoom>> _room_to_come; // on a thread
+	std::shared_ptr<PoolRoom> _next_room;
 	std::shared_ptr<GpuField> _field; // used only by jobs on the render thread
 };
 

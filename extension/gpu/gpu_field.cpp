@@ -80,7 +80,7 @@ void GpuField::set_motion(const Ref<Texture2DRD> &p_before) {
 	}
 	_before = p_before;
 	if (_before.is_valid()) {
-		_before_texture = make_before_rows();
+		_before_texture = make_rows(Rows::BEFORE, _pool_size);
 		_before->set_texture_rd_rid(_before_texture);
 		_has_moved = true;
 	}
@@ -217,9 +217,9 @@ void GpuField::report_times() {
 
 // The caller must hold the report's mutex.
 void GpuField::report_memory() {
-	const int64_t textures = POOL_ROW_BYTES * (_before.is_valid() ? 2 : 1) * _pool_size + _mix.get_memory_usage() +
-			_resting_rows.get_memory_usage() + int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4));
-	int64_t bytes = textures + _reader.get_memory_usage();
+	const int64_t textures =
+			POOL_ROW_BYTES * (_before.is_valid() ? 2 : 1) * _pool_size + _mix.get_memory_usage() + _resting_rows.get_memory_usage();
+	int64_t bytes = textures + int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4)) + _reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

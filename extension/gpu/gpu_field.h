@@ -13,6 +13,7 @@
 #include "gpu/knot_reader.h"
 #include "gpu/plant_passes.h"
 #include "gpu/pool_mix.h"
+#include "gpu/pool_room.h"
 #include "gpu/pool_rows.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
@@ -80,8 +81,8 @@ public:
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
-	// Changes the number of slots, none at first. Awake tiles go on where p_moves says.
-	void resize_pool(int p_slots, std::span<const SlotMove> p_moves);
+	// Changes the number of slots, none at first. Awake tiles go on where p_moves says. p_room: the memory for that many; null: it is made.
+	void resize_pool(int p_slots, std::span<const SlotMove> p_moves, PoolRoom *p_room);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// Poses blades that are drawn from now on. p_slots, p_step: see Simulator::join().
@@ -103,7 +104,6 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
-	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_LENGTH_ROW + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: offsets of some counts, the number of words that are reported, and the number of all words.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
@@ -111,8 +111,8 @@ private:
 	std::array<GpuBuffer *, 19> buffers();
 	void fit_tables();
 	void make_pool(int p_slots, std::span<const SlotMove> p_moves);
-	void resize_textures(int p_kept, std::span<const SlotMove> p_moves);
-	godot::RID make_before_rows();
+	void take_room(PoolRoom &r_room, std::span<const SlotMove> p_moves);
+	void take_textures(PoolRoom &r_room, int p_kept, std::span<const SlotMove> p_moves);
 	void keep_pool();
 	void free_unneeded_rows();
 	void rest_before(std::span<const GrassSlot> p_slots);

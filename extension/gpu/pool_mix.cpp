@@ -17,18 +17,12 @@ const PassCode MIX = { shader::MIX_SPIRV, "GrassField mix", PassOrder::MIX, Pass
 
 void PoolMix::create(const RID &p_pool, const RID &p_sampler, int64_t p_slots, int p_rows) {
 	free();
-	make_textures(p_slots);
+	_slots = p_slots;
+	_earlier = make_rows(Rows::EARLIER, p_slots);
+	_shown = make_rows(Rows::SHOWN, p_slots);
 	_pass.create(MIX, GpuPass::Compile::LATER);
 	bind(p_pool, p_sampler);
 	keep(p_pool, p_rows);
-}
-
-void PoolMix::make_textures(int64_t p_slots) {
-	_slots = p_slots;
-	const TextureUsage usage = RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT |
-			RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT;
-	_earlier = make_rows(p_slots, usage);
-	_shown = make_rows(p_slots, usage | RenderingDevice::TEXTURE_USAGE_STORAGE_BIT);
 }
 
 void PoolMix::bind(const RID &p_pool, const RID &p_sampler) {
@@ -37,10 +31,11 @@ void PoolMix::bind(const RID &p_pool, const RID &p_sampler) {
 	_pass.bind_image(GRASS_MIX_SHOWN, _shown);
 }
 
-void PoolMix::resize(const RID &p_pool, const RID &p_sampler, int64_t p_slots, int p_kept, std::span<const SlotMove> p_moves,
+void PoolMix::resize(const RID &p_pool, const RID &p_sampler, PoolRoom &r_room, int p_kept, std::span<const SlotMove> p_moves,
 		const std::function<void()> &p_show) {
-	const RID earlier = _earlier, shown = _shown;
-	make_textures(p_slots);
+	_slots = r_room.get_slots();
+	const RID earlier = std::exchange(_earlier, r_room.take_rows(Rows::EARLIER));
+	const RID shown = std::exchange(_shown, r_room.take_rows(Rows::SHOWN));
 	move_rows(earlier, _earlier, p_kept, p_moves);
 	move_rows(shown, _shown, p_kept, p_moves);
 	bind(p_pool, p_sampler);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/pool_room.h"
 
 #include <functional>
 
@@ -15,9 +16,9 @@ public:
 
 	// p_pool has p_slots rows. The mix begins as a copy of its first p_rows, those in use.
 	void create(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots, int p_rows);
-	// p_pool has another number of rows now. Rows keep what they show, as for move_rows(). p_show: shows get_shown() in place of the
-	// old texture, before that is freed.
-	void resize(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots, int p_kept, std::span<const SlotMove> p_moves,
+	// p_pool has another number of rows now, that of r_room. Rows keep what they show, as for move_rows(). p_show: shows get_shown() in
+	// place of the old texture, before that is freed.
+	void resize(const godot::RID &p_pool, const godot::RID &p_sampler, PoolRoom &r_room, int p_kept, std::span<const SlotMove> p_moves,
 			const std::function<void()> &p_show);
 	void free();
 	bool is_created() const { return _earlier.is_valid(); }
@@ -33,7 +34,6 @@ public:
 	int64_t get_memory_usage() const; // bytes
 
 private:
-	void make_textures(int64_t p_slots);
 	void bind(const godot::RID &p_pool, const godot::RID &p_sampler);
 
 	godot::RID _earlier, _shown;

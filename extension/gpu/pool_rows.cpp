@@ -12,6 +12,10 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+constexpr RenderingDevice::DataFormat POOL_FORMAT = RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT;
+} // namespace
+
 RID make_texture(RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
 		const TypedArray<PackedByteArray> &p_data) {
 	Ref<RDTextureFormat> format;
@@ -25,15 +29,13 @@ RID make_texture(RenderingDevice::DataFormat p_format, int64_t p_width, int64_t 
 	return main_device()->texture_create(format, view, p_data);
 }
 
-RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting) {
-	TypedArray<PackedByteArray> data;
-	if (p_is_resting) {
-		PackedByteArray zeros;
-		zeros.resize(p_slots * POOL_ROW_BYTES);
-		zeros.fill(0);
-		data.push_back(zeros);
-	}
-	return make_texture(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT, POOL_TEXTURE_WIDTH, p_slots, p_usage, data);
+RID make_rows(Rows p_rows, int64_t p_slots) {
+	const int64_t read = RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT |
+			RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT;
+	const bool is_written = p_rows == Rows::NOW || p_rows == Rows::SHOWN; // by a pass
+	const TextureUsage usage = is_written ? read | RenderingDevice::TEXTURE_USAGE_STORAGE_BIT : read;
+	const int64_t width = p_slots > 0 ? POOL_TEXTURE_WIDTH : 1; // a card stores at least eight rows, also of a texture that nobody reads
+	return make_texture(POOL_FORMAT, width, p_slots, usage);
 }
 
 void copy_rows(const RID &p_from, const RID &p_to, int p_from_row, int p_to_row, int p_rows) {
@@ -65,7 +67,10 @@ void RestingRows::copy_to(const RID &p_to, std::span<const GrassSlot> p_slots) {
 		}
 	}
 	if (!rows.empty() && !_rows.is_valid()) {
-		_rows = make_rows(COUNT, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
+		PackedByteArray zeros;
+		zeros.resize(COUNT * POOL_ROW_BYTES);
+		zeros.fill(0);
+		_rows = make_texture(POOL_FORMAT, POOL_TEXTURE_WIDTH, COUNT, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, Array::make(zeros));
 	}
 	std::ranges::sort(rows);
 	for (size_t first = 0, next = 0; first < rows.size(); first = next) { // consecutive rows, with a single copy

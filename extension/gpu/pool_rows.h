@@ -19,8 +19,11 @@ using TextureUsage = godot::BitField<godot::RenderingDevice::TextureUsageBits>;
 // p_data: the texels; if empty, the contents are undefined.
 godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
 		const godot::TypedArray<godot::PackedByteArray> &p_data = {});
-// With p_is_resting the rows have blades at rest; otherwise their contents are undefined.
-godot::RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting = false);
+// The textures that have a row for each slot: of the last step; as the last frame showed it; of the step before; the mix of both steps.
+enum class Rows { NOW, BEFORE, EARLIER, SHOWN };
+inline constexpr int ALL_ROWS = 4;
+// Makes such a texture, whose contents are undefined; on any thread.
+godot::RID make_rows(Rows p_rows, int64_t p_slots);
 void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
 // Copies the first p_kept rows, and others as p_moves says, from rows that the new ones replace.
 void move_rows(const godot::RID &p_from, const godot::RID &p_to, int p_kept, std::span<const SlotMove> p_moves);

@@ -40,6 +40,8 @@ PARTS = (
 	Part("movers", 25, flags=FIXED),
 	Part("rest", 20),
 	Part("town", 60, (), flags=FIXED),
+	Part("touch", 20, (), flags=FIXED, size="320x180"),
+	Part("room", 20, (), size="320x180"),
 	Part("paper_passes", 25, ("paper",)),
 	Part("limits", 10),
 	Part("levels", 40, flags="--xr-mode on"),

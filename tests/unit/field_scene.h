@@ -46,7 +46,14 @@ public:
 	}
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override {
 		_pool.resize(p_slots, p_moves);
+		made = p_slots;
 		moves.assign(p_moves.begin(), p_moves.end());
+	}
+	int get_slots_at_once() const override { return at_once; }
+	bool prepare_pool(int p_slots) override {
+		ticks_left = p_slots > 0 && p_slots == wanted ? ticks_left - 1 : PREPARING;
+		wanted = p_slots;
+		return wanted > 0 && ticks_left <= 0;
 	}
 	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	SimulatedKnots read_knots(int p_slot, int p_blade) const {
@@ -62,6 +69,8 @@ public:
 	std::vector<GrassSlot> followers; // likewise
 	StepTime time; // of steps; 0 ms: the device measures none
 	std::vector<GrassSlot> joined;
+	static constexpr int PREPARING = 5; // calls of prepare_pool(), two a tick
+	int at_once = TileParams::MAX_POOL_SIZE, wanted = 0, ticks_left = 0, made = 0; // slots; calls
 	std::vector<SlotMove> moves; // of the last change of the pool's size
 
 private:

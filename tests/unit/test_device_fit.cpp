@@ -61,10 +61,25 @@ TEST_CASE("A device with room for all of it takes the field as it is") {
 
 TEST_CASE("Instances keep to the storage buffer") {
 	FieldSetup setup = setup_of(10.0, 256.0, 64);
+	DeviceLimits limits;
+	limits.texture_side = 16384;
 	for (const auto &[asked, expected] :
 			{ std::pair{ 256, 256 }, { 1677721, 1677721 }, { 1677722, 1677721 }, { 4194304, 1677721 } }) { // 80 bytes each
 		setup.drawn_tiles_max = asked;
-		CHECK(fit_device({}, setup).drawn_tiles_max == expected);
+		CHECK(fit_device(limits, setup).drawn_tiles_max == expected);
+	}
+}
+
+TEST_CASE("The list of drawn tiles keeps to the rows of a texture") {
+	FieldSetup setup = setup_of(10.0, 256.0, 64);
+	DeviceLimits limits;
+	limits.buffer_bytes = int64_t(1) << 32;
+	for (const int64_t rows : { 1024, 2048, 4096 }) {
+		limits.texture_side = rows;
+		setup.drawn_tiles_max = int(DRAWN_TILES_MAX.maximum);
+		const int64_t most = fit_device(limits, setup).drawn_tiles_max;
+		CHECK(most > (rows - 2) * GRASS_PLACES_PER_ROW * 4 / 5);
+		CHECK(1 + (most + most / 4 + GRASS_PLACES_PER_ROW - 1) / GRASS_PLACES_PER_ROW <= rows);
 	}
 }
 

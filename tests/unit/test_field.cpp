@@ -168,6 +168,39 @@ TEST_CASE("field params: tiles wait for the species that swings longest, and are
 	CHECK(params.calm_energy() < fast.energy_within(1e-3 * params.sleep_motion));
 }
 
+TEST_CASE("field: slots that take a simulator long come ticks later, but at once where a replay must find them") {
+	FieldScene scene;
+	scene.simulator.at_once = 0;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.ticks(3);
+	CHECK(scene.simulator.wanted == 16);
+	CHECK(scene.simulator.made == 0);
+	CHECK(scene.simulator.steps == 0);
+	CHECK(scene.field.holds_slots()); // a field that rested would not go on
+	scene.tick();
+	CHECK(scene.simulator.made == 16);
+	CHECK(scene.simulator.steps == 1);
+	CHECK(scene.simulator.wanted == 0);
+	CHECK(scene.field.get_tiles().get_statistics().awake > 0);
+	scene.ticks(10);
+	CHECK(scene.bend_of(8, 8) > 0.01);
+	FieldScene left;
+	left.simulator.at_once = 0;
+	left.put_ball({ 0.5, 0.2, 0.5 });
+	left.tick();
+	left.bodies.clear();
+	left.tick();
+	CHECK(left.simulator.wanted == 0); // nobody needs them any more
+	CHECK_FALSE(left.field.holds_slots());
+	FieldScene whole;
+	whole.simulator.at_once = 0;
+	whole.params.detail = SimulationDetail::WHOLE;
+	whole.field.set_params(whole.params);
+	whole.put_ball({ 0.5, 0.2, 0.5 });
+	whole.tick();
+	CHECK(whole.simulator.steps == 1);
+}
+
 TEST_CASE("field: bounds are made anew for other blades only") {
 	FieldScene scene;
 	FieldSetup next = scene.setup;

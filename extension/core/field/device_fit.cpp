@@ -55,7 +55,8 @@ DeviceFit fit_device(const DeviceLimits &p_limits, const FieldSetup &p_setup) {
 	fit.lack = find_lack(p_limits, p_setup);
 	const int64_t slots = std::min(p_limits.buffer_bytes / SLOT_BYTES, p_limits.texture_side); // the pool's texture has a row a slot
 	fit.pool_size = int(std::min<int64_t>(p_setup.pool_size, slots));
-	fit.drawn_tiles_max = int(std::min<int64_t>(p_setup.drawn_tiles_max, p_limits.buffer_bytes / INSTANCE_BYTES));
+	const int64_t listed = (p_limits.texture_side - 1) * GRASS_PLACES_PER_ROW * 4 / 5; // a fifth of the list is for shadows
+	fit.drawn_tiles_max = int(std::min({ int64_t(p_setup.drawn_tiles_max), p_limits.buffer_bytes / INSTANCE_BYTES, listed }));
 	return fit;
 }
 

@@ -86,6 +86,13 @@ void Field::fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves) 
 	}
 }
 
+// Where all blades are simulated, a replay gets the same slots in the same step.
+void Field::prepare_pool(Simulator &r_simulator) {
+	const int wanted = _tiles.get_wanted_room();
+	_tiles.set_slots_at_once(_params.detail == SimulationDetail::WHOLE ? TileParams::MAX_POOL_SIZE : r_simulator.get_slots_at_once());
+	_tiles.set_prepared_room(r_simulator.prepare_pool(wanted) ? wanted : 0);
+}
+
 TileParams Field::tile_params() const {
 	TileParams params;
 	params.pool_size = _setup.pool_size;
@@ -173,6 +180,7 @@ void Field::see_tiles(const FieldView &p_view, bool p_is_visible) {
 }
 
 bool Field::begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta) {
+	prepare_pool(r_simulator);
 	if (holds_slots()) {
 		fit_pool(r_simulator, _tiles.trim(p_delta));
 	}
@@ -208,15 +216,17 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 		_tiles.reset(); // which bodies meet grass is known; the blades stay at rest
 		return false;
 	}
+	fit_pool(r_simulator);
 	if (_pool_budget) {
 		_pool_budget->report(*this, _tiles.get_statistics().awake, _tiles.lacks_grant());
 	}
-	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
-		return false;
+	const bool has_moved = !_tiles.get_slots().empty(); // else nothing is awake: no dispatch, no upload
+	if (has_moved) {
+		step(r_simulator, p_delta, p_forces);
+		spend_budget(r_simulator);
 	}
-	step(r_simulator, p_delta, p_forces);
-	spend_budget(r_simulator);
-	return true;
+	prepare_pool(r_simulator); // for the next tick; last, since a driver that makes memory on a thread lets this one make none
+	return has_moved;
 }
 
 // The next frame applies what follows.
@@ -253,7 +263,6 @@ void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> 
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
 	_step = input.step;
-	fit_pool(r_simulator);
 	r_simulator.step(input);
 }
 

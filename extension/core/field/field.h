@@ -66,7 +66,7 @@ public:
 	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
 	// Returns true while slots exist: ticks must go on, so that they are freed.
-	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0; }
+	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0 || _tiles.get_wanted_room() > 0; }
 	// Returns true once after skipped ticks: bodies have moved meanwhile, and must not sweep the grass on their way.
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. Returns true if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are
@@ -107,6 +107,7 @@ public:
 private:
 	PoolDemand find_demand() override { return _tiles.find_demand(); }
 	void fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves = {});
+	void prepare_pool(Simulator &r_simulator);
 	TileParams tile_params() const;
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();

@@ -4,6 +4,7 @@
 
 #include "core/solver/solver_params.h"
 #include "core/solver/step.h"
+#include "core/tiles/tile_params.h"
 
 #include <span>
 
@@ -36,6 +37,11 @@ public:
 	// Changes the number of slots, none at first. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their
 	// blades.
 	virtual void resize_pool(int p_slots, std::span<const SlotMove> p_moves) = 0;
+	// Returns up to how many slots resize_pool() makes within a tick without a pause that anybody could see.
+	virtual int get_slots_at_once() const { return TileParams::MAX_POOL_SIZE; }
+	// Makes memory for p_slots slots beside the frames; 0: no longer. Must be called in each tick. Returns true once resize_pool() makes
+	// exactly that many without a pause.
+	virtual bool prepare_pool(int p_slots) { return p_slots > 0; }
 	// Returns the newest known report without waiting; it is valid until the next call.
 	virtual EnergyReport read_energy() = 0;
 };

@@ -54,6 +54,8 @@ public:
 	std::vector<Meeting> &get() { return _meetings; } // ascending by collider
 	// Returns the sleeping tiles that are met, as many as can get a slot: the paper's ToActivateTileList without the active tiles.
 	const std::vector<int> &get_wanted() const { return _wanted; }
+	// Keeps only the first p_kept of them.
+	void hold_back(size_t p_kept);
 	// Returns true if collider p_collider met grass: the box around the blades of a tile with any.
 	bool has_met_grass(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] != MET_NOTHING; }
 	// Returns true if one of these tiles has a slot, or gets one in this step.

@@ -17,6 +17,14 @@ void TileMeetings::meet_asleep_tiles(const ParallelFor &p_parallel_for) {
 	p_parallel_for(int(_block_count - next), [&](int p_block) { meet_asleep_tiles_of(_blocks[next + size_t(p_block)], room); });
 }
 
+void TileMeetings::hold_back(size_t p_kept) {
+	for (size_t place = p_kept; place < _wanted.size(); place++) {
+		_place_of_tile.erase(_wanted[place]);
+	}
+	_wanted.resize(p_kept);
+	std::erase_if(_meetings, [&](const Meeting &p_meeting) { return p_meeting.slot < 0 && size_t(~p_meeting.slot) >= p_kept; });
+}
+
 void TileMeetings::meet_asleep_tiles_of(Block &r_block, size_t p_room) {
 	for (const Way &way : r_block.ways) {
 		if (way.asleep > 0 && (_wanted.size() < p_room ? queue_tiles(way, p_room, r_block) : meet_queued_tiles(way, r_block))) {

@@ -35,6 +35,7 @@ void TileManager::reset() {
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_slack_time = 0.0;
+	_prepared_room = _wanted_room = _trim_room = 0;
 	_meetings.reset();
 	_record_count = 0;
 	_colliders.clear();
@@ -67,6 +68,7 @@ void TileManager::begin_step() {
 }
 
 void TileManager::activate_tiles() {
+	hold_back();
 	_given_slots.clear();
 	const std::vector<int> &wanted = _meetings.get_wanted();
 	for (const int tile : wanted) {

@@ -39,10 +39,12 @@ const PARTS: Dictionary[String, GDScript] = {
 	"paper_tiles": preload("res://bench/paper_tiles.gd"),
 	"questions": preload("res://bench/bench_questions.gd"),
 	"rest": preload("res://bench/bench_rest.gd"),
+	"room": preload("res://bench/bench_room.gd"),
 	"simulate": preload("res://bench/bench_simulate.gd"),
 	"sleep": preload("res://bench/bench_sleep.gd"),
 	"species": preload("res://bench/bench_species.gd"),
 	"town": preload("res://bench/bench_town.gd"),
+	"touch": preload("res://bench/bench_touch.gd"),
 }
 
 
