@@ -6,7 +6,7 @@ const TOOL := "res://addons/grass_field/tools/play_record.gd"
 const TICKS := 90
 const PAINTED_IN := 40  # a tick in which a game changes the map
 
-var path := OS.get_cache_dir().path_join("grass_%d.grassrecord" % OS.get_process_id())
+var path := "user://grass_%d.grassrecord" % OS.get_process_id()
 
 
 func after() -> void:
@@ -158,7 +158,8 @@ func test_a_record_ends_at_its_limit() -> void:
 
 func test_the_tool_plays_a_file() -> void:
 	await record_scene()
-	var arguments := ["--headless", "--fixed-fps", "60", "--path", ProjectSettings.globalize_path("res://"), "--script", TOOL, "--", path]
+	var arguments := ["--headless", "--fixed-fps", "60", "--path", ProjectSettings.globalize_path("res://"), "--script", TOOL, "--"]
+	arguments.append(ProjectSettings.globalize_path(path))
 	var output := []
 	assert_eq(OS.execute(OS.get_executable_path(), arguments, output, true), 0, str(output))
 	assert_true("The grass is the same in " in output[0], str(output))
