@@ -46,6 +46,7 @@ public:
 	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) override;
 	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override { return find_knots(p_blades); }
 	EnergyReport read_energy() override { return { _step_number > 0 ? _step_number - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
+	uint64_t hash_blades() const override { return _pool.hash(); }
 	BackendStatistics get_statistics() override;
 	BackendMemory get_memory() const override;
 	const char *get_name() const override { return "CPU"; }

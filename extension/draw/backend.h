@@ -80,6 +80,8 @@ public:
 	virtual std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) = 0;
 	// Must be called once in each frame, after its ticks: requests from the GPU what find_knots() returns later.
 	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
+	// Returns a hash of where all simulated blades are after the last step, bit for bit; 0: unknown, since they are on a GPU.
+	virtual uint64_t hash_blades() const { return 0; }
 	virtual BackendStatistics get_statistics() = 0;
 	virtual BackendMemory get_memory() const = 0;
 	virtual const char *get_name() const = 0;

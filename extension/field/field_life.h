@@ -41,6 +41,7 @@ public:
 	void leave(); // call it when the node leaves the tree
 
 	Stage get_stage() const { return _stage; }
+	int64_t get_makings() const { return _makings; } // fields so far
 	bool is_waiting() const { return _stage == Stage::ASKED || is_preparing(); }
 	// Returns whether advance() has nothing to do until ask() is called, or the driver refuses a pass.
 	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.get_picture().is_look_waiting(); }

@@ -18,6 +18,13 @@ namespace {
 // used. Less: its paint appears in pieces.
 constexpr int CHUNKS_AT_ONCE = 4;
 
+// Returns the view of a field that no camera sees, and of which all is simulated.
+FieldView view_whole() {
+	FieldView view;
+	view.is_drawn = false;
+	return view;
+}
+
 } // namespace
 
 void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
@@ -142,7 +149,7 @@ bool StandingField::update_map() {
 	const bool are_few = _parts.map->get_waiting() <= CHUNKS_AT_ONCE && !_parts.map->is_growing(),
 			   is_streamed = _parts.properties.is_streamed;
 	std::optional<FrameShare::Turn> turn;
-	if (is_streamed || !are_few) { // otherwise at once, outside the frame's share
+	if (!_is_whole && (is_streamed || !are_few)) { // otherwise at once, outside the frame's share
 		turn.emplace(this);
 	}
 	const MapLayers::Changes changes = _parts.map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
@@ -168,13 +175,35 @@ const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const 
 	return &_layers_there;
 }
 
-bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
-	return _parts.field.begin_tick(*_parts.backend, p_is_listened, p_delta);
+void StandingField::replay(int p_slots, const FieldParams *p_new) {
+	if (p_slots != _parts.field.get_setup().pool_size) {
+		_parts.field.set_pool_size(*_parts.backend, p_slots);
+	}
+	if (p_new != nullptr) {
+		_parts.field.set_params(*p_new);
+		_parts.field.stir();
+	}
 }
 
-bool StandingField::tick(
-		std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for) {
-	_parts.field.set_params(_parts.properties.field_params(_parts.species));
+FieldParams StandingField::find_params() const {
+	FieldParams params = _parts.properties.field_params(_parts.species);
+	if (_is_whole) {
+		params.detail = SimulationDetail::WHOLE;
+		params.budget = 0.0; // which times decide
+	}
+	return params;
+}
+
+bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
+	if (_is_whole) {
+		_parts.field.see(*_parts.backend, view_whole(), true);
+	}
+	return _parts.field.begin_tick(*_parts.backend, p_is_listened || _is_whole, p_delta);
+}
+
+bool StandingField::tick(const FieldParams &p_params, std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta,
+		const ParallelFor &p_parallel_for) {
+	_parts.field.set_params(p_params);
 	const bool has_moved = _parts.field.tick(*_parts.backend, p_colliders, p_delta, p_forces, p_parallel_for);
 	if (has_moved) {
 		_picture.request_draw();
@@ -196,7 +225,7 @@ void StandingField::read_asked() {
 
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 	const bool was_seen = _parts.field.is_seen(), was_crowded = _is_crowded;
-	_parts.field.see(*_parts.backend, p_view, p_is_visible);
+	_parts.field.see(*_parts.backend, _is_whole ? view_whole() : p_view, p_is_visible || _is_whole);
 	if (_picture.is_shown() && p_view.is_watched && (_parts.field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_parts.backend->draw(p_view);
 		_is_crowded = _is_crowded || leaves_tiles_out();

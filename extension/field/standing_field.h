@@ -70,11 +70,20 @@ public:
 	// null without a map.
 	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
 
+	// Until the next call: shows and simulates everything, as a server does, whatever cameras see, and takes over changes of the map at
+	// once.
+	void set_whole(bool p_is_whole) { _is_whole = p_is_whole; }
+	// Sets how many tiles may be awake, and what ticks read of the properties if that is new (else null), as a record has them.
+	void replay(int p_slots, const FieldParams *p_new);
+	FieldParams find_params() const; // as the properties have them
+	uint64_t hash_blades() const { return stands() ? _parts.backend->hash_blades() : 0; } // 0: unknown
+
 	// Begins a tick; tick() then applies the bodies' motion. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _parts.field.resume(); }
-	// Returns true if blades moved.
-	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
+	// Returns true if blades moved. p_params: of find_params().
+	bool tick(const FieldParams &p_params, std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta,
+			const ParallelFor &p_parallel_for);
 	// Must be called in each frame before FieldPicture::show_motion(). See Backend.
 	void show_between(bool p_is_between, float p_share) { _parts.backend->show_between(p_is_between, p_share); }
 	// Simulates these blades, even if no camera needs them, for a while.
@@ -112,6 +121,7 @@ private:
 	mutable MapLayers _layers_there; // of layers_at(): around one place
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
 	bool _was_blind = false; // of notice_blind_budget()
+	bool _is_whole = false; // see set_whole()
 	bool _is_measured = false; // somebody reads the monitors of times
 	int64_t _builds = 0; // backends made
 };

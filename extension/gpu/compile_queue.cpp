@@ -47,7 +47,7 @@ CompileQueue &CompileQueue::get() {
 
 CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) {
 	std::unique_lock lock(_mutex);
-	const auto [found, is_new] = _pipelines.try_emplace({ p_code.spirv.data(), p_code.method, p_code.tiles }, p_code);
+	const auto [found, is_new] = _pipelines.try_emplace(p_code.key(), p_code);
 	lock.unlock();
 	Pipeline &pipeline = found->second;
 	if (is_new) {
@@ -62,6 +62,22 @@ CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) 
 }
 
 void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
+	const bool is_left_out = is_useless(r_pipeline.code);
+	if (!is_left_out) {
+		make(r_pipeline, p_is_worker);
+	}
+	std::lock_guard lock(_mutex);
+	if (!is_left_out && !r_pipeline.pipeline.is_valid()) {
+		_refused.push_back(r_pipeline.code);
+		_refused_count++;
+	}
+	r_pipeline.is_done = true;
+	_compiling--;
+	_deciding -= r_pipeline.code.changes_results() ? 1 : 0;
+	_has_compiled.notify_all();
+}
+
+void CompileQueue::make(Pipeline &r_pipeline, bool p_is_worker) {
 	UtilityFunctions::print_verbose(vformat("GrassField: compiling '%s'", r_pipeline.code.name));
 	const uint64_t begin = Time::get_singleton()->get_ticks_msec();
 	PassShaders::Made made = _shaders.make(r_pipeline.code, p_is_worker);
@@ -73,15 +89,13 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	}
 	UtilityFunctions::print_verbose(vformat("GrassField: compiled '%s', shader %s in %d ms, pipeline in %d ms", r_pipeline.code.name,
 			origin_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
+}
+
+// The CPU has the fields that need a refused pass, and drivers take seconds for others that only these would use.
+bool CompileQueue::is_useless(const PassCode &p_code) {
 	std::lock_guard lock(_mutex);
-	if (!r_pipeline.pipeline.is_valid()) {
-		_refused.push_back(r_pipeline.code);
-		_refused_count++;
-	}
-	r_pipeline.is_done = true;
-	_compiling--;
-	_deciding -= r_pipeline.code.changes_results() ? 1 : 0;
-	_has_compiled.notify_all();
+	return std::ranges::any_of(
+			_refused, [&](const PassCode &p_refused) { return p_refused.is_everybodys() || p_code.helps == p_refused.key(); });
 }
 
 void CompileQueue::Pipeline::make(const RID &p_shader) {
@@ -105,9 +119,7 @@ bool CompileQueue::is_empty() {
 
 bool CompileQueue::is_refused(const PassCode &p_code) {
 	std::lock_guard lock(_mutex);
-	return std::ranges::any_of(_refused, [&](const PassCode &p_refused) {
-		return p_refused.spirv.data() == p_code.spirv.data() && p_refused.method == p_code.method && p_refused.tiles == p_code.tiles;
-	});
+	return std::ranges::find(_refused, p_code.key(), &PassCode::key) != _refused.end();
 }
 
 std::vector<PassCode> CompileQueue::take_refused() {

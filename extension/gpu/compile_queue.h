@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -22,6 +23,8 @@ namespace grass {
 
 // The order in which a field needs its passes: those that draw it, those that bend it and that scripts query, then faster variants.
 enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, STRAINS, EDGES, CROWDS, MANY };
+
+using PassKey = std::tuple<const uint32_t *, int, int>; // of a pipeline: its code, method and tiles
 
 // The parts that a pipeline is made of.
 struct PassCode {
@@ -34,8 +37,12 @@ struct PassCode {
 	int tiles = GRASS_TILES_ONE; // value of GRASS_CONSTANT_TILES, for passes with this constant
 	bool has_stand_in = false; // another pass replaces it if it is refused
 	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, for passes with a method; the same in the whole process
+	std::optional<PassKey> helps = {}; // a pass: where that one is refused, no field uses this one
 
+	PassKey key() const { return { spirv.data(), method, tiles }; }
 	bool changes_results() const { return order != PassOrder::MANY; }
+	// Whether each field on the device needs it, so that no other pass is used once it is refused.
+	bool is_everybodys() const { return order == PassOrder::CULL || order == PassOrder::GATHER; }
 };
 
 // A singleton, get(). Its functions may be called on any thread, except free_pipelines().
@@ -45,7 +52,7 @@ public:
 		explicit Pipeline(const PassCode &p_code) : code(p_code) {}
 
 		PassCode code;
-		godot::RID shader, pipeline; // once it is done; invalid if the driver has refused them
+		godot::RID shader, pipeline; // once it is done; invalid if the driver has refused them, or another pass without which it is useless
 		std::atomic<bool> is_done = false; // the driver has compiled or refused it
 
 	private:
@@ -77,6 +84,8 @@ public:
 
 private:
 	void compile(Pipeline &r_pipeline, bool p_is_worker);
+	void make(Pipeline &r_pipeline, bool p_is_worker);
+	bool is_useless(const PassCode &p_code);
 
 	PassShaders _shaders;
 	std::atomic<int> _compiling = 0;
@@ -84,7 +93,7 @@ private:
 	TaskQueue _queue{ "GrassField's compute passes", TaskQueue::Priority::HIGH };
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;
-	std::map<std::tuple<const uint32_t *, int, int>, Pipeline> _pipelines; // by code, method and tiles; guarded by _mutex
+	std::map<PassKey, Pipeline> _pipelines; // guarded by _mutex
 	std::vector<PassCode> _refused; // guarded by _mutex
 	std::atomic<size_t> _refused_count = 0;
 	size_t _refused_taken = 0; // guarded by _mutex

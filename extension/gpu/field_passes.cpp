@@ -43,12 +43,15 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 	} };
 	const Variant &variant = variants[size_t(p_pass)];
 	const SpirvCode &code = p_kind.species ? variant.species : variant.grass;
-	if (p_pass == SlotPass::STRAINS) {
-		return { code, variant.many_name, variant.order, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
+	const Variant &plain = variants[size_t(SlotPass::PLAIN)];
+	const PassKey all_kinds{ (p_kind.species ? plain.species : plain.grass).data(), int(p_kind.method), GRASS_TILES_ONE };
+	if (p_pass == SlotPass::STRAINS) { // only for fields of METHOD_DIRECT
+		return { code, variant.many_name, variant.order, PassCode::NO_METHOD, GRASS_TILES_ONE, true, false, all_kinds };
 	}
 	const int tiles = p_many ? GRASS_TILES_MANY : p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD : GRASS_TILES_ONE;
+	const bool is_variant = p_many || p_pass != SlotPass::PLAIN;
 	return { code, p_many ? variant.many_name : variant.name, p_many ? PassOrder::MANY : variant.order, int(p_kind.method), tiles,
-		p_many || p_pass != SlotPass::PLAIN, device_limits().has_quick_arrays };
+		is_variant, device_limits().has_quick_arrays, is_variant ? std::optional(all_kinds) : std::nullopt };
 }
 
 // If it is refused, all blades of awake tiles are simulated.

@@ -170,6 +170,10 @@ void FieldApi::bind_deeds() {
 			{ "global_position", "velocity", "radius", "duration" }, DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
 	ticks.bind<"register_collider", &FieldTicks::register_collider>({ "node", "shape" });
 	ticks.bind<"unregister_collider", &FieldTicks::unregister_collider>({ "node" });
+	record.bind<"record", &FieldRecord::record>({ "path" });
+	record.bind<"play_record", &FieldRecord::play_record>({ "path" });
+	record.bind<"stop_record", &FieldRecord::stop_record>();
+	record.bind<"get_record_state", &FieldRecord::get_record_state>();
 	settings.bind<"set_hook_parameter", &FieldSettings::set_hook_parameter>({ "name", "value" });
 }
 

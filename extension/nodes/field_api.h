@@ -26,6 +26,7 @@ private:
 	static constexpr PartBinder<GrassField, &GrassField::_parts, &FieldParts::work> work{};
 	static constexpr PartBinder<GrassField, &GrassField::_parts, &FieldParts::forces> forces{};
 	static constexpr PartBinder<GrassField, &GrassField::_ticks> ticks{};
+	static constexpr PartBinder<GrassField, &GrassField::_ticks, &FieldTicks::_record> record{};
 	static constexpr PartBinder<GrassField, &GrassField::_report> report{};
 };
 

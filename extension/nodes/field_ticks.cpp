@@ -50,6 +50,7 @@ void FieldTicks::enter(const Callbacks &p_callbacks) {
 }
 
 void FieldTicks::leave() {
+	_record.stop_record();
 	_parts.bodies.get_tracker().stop();
 	_parts.bodies.get_wheels().clear();
 	_parts.forces.get_areas().clear();
@@ -58,6 +59,10 @@ void FieldTicks::leave() {
 void FieldTicks::tick(double p_delta) {
 	_visited++;
 	if (!_parts.node().is_inside_tree() || !_parts.host.stand()) {
+		return;
+	}
+	if (_record.is_playing()) {
+		play(); // nothing may follow this
 		return;
 	}
 	_parts.forces.pass(p_delta);
@@ -97,14 +102,35 @@ bool FieldTicks::simulate(double p_delta) {
 	bodies.collect(standing.get_field(), _parts.node().get_world_3d(), transform, _parts.properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	bodies.add_forces(_parts.forces.get());
 	_gather_ms = clock.lap();
-	if (standing.tick(bodies.get_colliders(), _parts.forces.get(), p_delta, bodies.get_parallel_for())) {
+	const FieldParams params = standing.find_params();
+	if (_record.is_recording()) {
+		_record.begin_tick(params, bodies.get_colliders(), _parts.forces.get(), p_delta);
+	}
+	if (standing.tick(params, bodies.get_colliders(), _parts.forces.get(), p_delta, bodies.get_parallel_for())) {
 		_moved_in = Engine::get_singleton()->get_physics_frames();
 	}
+	_record.end_tick();
 	return true;
 }
 
+// Bodies, forces and whatever changes the map come from the record.
+void FieldTicks::play() {
+	std::optional<TickRecord> tick = _record.read_tick();
+	if (!tick || !_parts.standing.stands()) {
+		return; // and the field may be gone
+	}
+	StandingField &standing = _parts.standing;
+	standing.begin_tick(true, tick->delta);
+	(void)standing.resume();
+	update_map();
+	if (standing.tick(tick->params, tick->colliders, tick->forces, tick->delta, serial_for)) {
+		_moved_in = Engine::get_singleton()->get_physics_frames();
+	}
+	_record.compare(*tick);
+}
+
 bool FieldTicks::needs_tick() const {
-	return !_rests || _parts.life.is_waiting() || _parts.standing.is_map_waiting();
+	return !_rests || _record.is_playing() || _parts.life.is_waiting() || _parts.standing.is_map_waiting();
 }
 
 // Returns whether a tick would change nothing, now and later, unless something calls stir().

@@ -5,6 +5,7 @@
 
 #include "field/movers.h"
 #include "nodes/field_parts.h"
+#include "nodes/field_record.h"
 #include "physics/resting_bodies.h"
 #include "shared/frames.h"
 
@@ -16,6 +17,8 @@
 namespace grass {
 
 class FieldTicks {
+	friend struct FieldApi;
+
 public:
 	explicit FieldTicks(FieldParts &p_parts) : _parts(p_parts) {}
 
@@ -56,11 +59,13 @@ private:
 	bool can_rest(std::vector<RestingBody> &r_bodies) const;
 	bool update_plants();
 	bool simulate(double p_delta);
+	void play();
 	bool is_listened_to() const;
 	void emit_visits();
 	bool emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
 
 	FieldParts &_parts;
+	FieldRecord _record{ _parts };
 	bool _rests = false; // until stir()
 	uint64_t _world = 0; // its instance id
 	UndrawnTicks _undrawn;

@@ -39,6 +39,7 @@ public:
 	godot::Transform3D field_transform() const override; // global, without scale
 	godot::String label() const override { return _report.label(); }
 	void stir() override;
+	void request_rebuild() override;
 
 	// The properties whose changes the node listens to, and `simulated`.
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass grows everywhere
@@ -91,7 +92,6 @@ private:
 	godot::Transform3D drawn_transform() override;
 	bool stand() override { return _parts.life.stand(); }
 	bool read_scene() override;
-	void request_rebuild() override;
 	void warn(const godot::String &p_warning) const override { _report.warn(p_warning); }
 	void report_warnings() override { _report.report_warnings(); }
 	void show_warnings() override { update_configuration_warnings(); }

@@ -21,6 +21,7 @@ struct Setting {
 constexpr int64_t LEAST = 1, MOST = 1 << 20; // MB
 constexpr Setting MAP{ "grass_field/limits/map_megabytes", int64_t(ReadLimits::MAP_MEGABYTES) };
 constexpr Setting CHANGES{ "grass_field/limits/changes_megabytes", int64_t(ReadLimits::CHANGES_MEGABYTES) };
+constexpr Setting RECORD{ "grass_field/limits/record_megabytes", 64 }; // half an hour of ten bodies that never rest
 
 size_t bytes_of(const Setting &p_setting) {
 	const int64_t megabytes = ProjectSettings::get_singleton()->get_setting(p_setting.path, p_setting.initial);
@@ -35,7 +36,7 @@ std::string hint_of(const Setting &p_setting) {
 
 void register_size_limits() {
 	const String hint = vformat("%d,%d,1,or_greater,suffix:MB", LEAST, int64_t(16384));
-	for (const Setting &setting : { MAP, CHANGES }) {
+	for (const Setting &setting : { MAP, CHANGES, RECORD }) {
 		add_project_setting(setting.path, setting.initial, PROPERTY_HINT_RANGE, hint);
 	}
 }
@@ -47,6 +48,10 @@ ReadLimits get_read_limits() {
 	limits.map_hint = hint_of(MAP);
 	limits.changes_hint = hint_of(CHANGES);
 	return limits;
+}
+
+size_t get_record_limit() {
+	return bytes_of(RECORD);
 }
 
 } // namespace grass

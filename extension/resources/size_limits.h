@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits on the size of external data, as project settings: maps that are read, messages that change them, pictures.
+// Limits on the size of external data, as project settings: maps that are read, messages that change them, pictures, records.
 #pragma once
 
 #include "core/map/read_limits.h"
@@ -10,5 +10,6 @@ namespace grass {
 void register_size_limits();
 // May be called on any thread.
 ReadLimits get_read_limits();
+size_t get_record_limit(); // bytes of a file of GrassField.record(), written or read
 
 } // namespace grass

@@ -5,6 +5,7 @@
 //   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
 //                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_TILES is GRASS_TILES_CROWD
+//   GRASS_LAYER_ASKED=FILE        gets a line for each pipeline of a compute pass that somebody wants: its name as above
 //   GRASS_LAYER_LAZY=all          pipelines are made when a command first binds them
 //   GRASS_LAYER_LAZY=drawing      likewise, but those of our passes at once: how long these take is what some tests are about
 //   GRASS_LAYER_VENDOR=NUMBER     the device says that it is of this maker
@@ -112,6 +113,9 @@ bool is_refused(const PipelineStage &p_stage) {
 		return false;
 	}
 	const std::string name = pass->second + (is_crowd(p_stage.specialization) ? "+crowd" : "");
+	if (const std::string asked = environment("GRASS_LAYER_ASKED"); !asked.empty()) {
+		std::ofstream(asked, std::ios::app) << name << '\n';
+	}
 	return ("," + environment("GRASS_LAYER_REFUSED") + ",").find("," + name + ",") != std::string::npos;
 }
 

@@ -56,6 +56,7 @@ public:
 		return wanted > 0 && ticks_left <= 0;
 	}
 	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
+	uint64_t hash() const { return _pool.hash(); }
 	SimulatedKnots read_knots(int p_slot, int p_blade) const {
 		SimulatedKnots knots;
 		std::ranges::copy(_pool.get_knots(p_slot, p_blade), knots.emplace().begin());

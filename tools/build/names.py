@@ -9,7 +9,7 @@ HERE = (
 	{"Linux": "linux", "Windows": "windows", "Darwin": "macos"}.get(platform.system(), "linux"),
 	{"aarch64": "arm64", "AMD64": "x86_64", "riscv64": "rv64"}.get(platform.machine(), platform.machine()),
 )
-SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib", "android": "so", "web": "wasm"}  # of libraries
+SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib", "android": "so", "ios": "dylib", "web": "wasm"}  # of libraries
 PROGRAMS = {"windows": ".exe", "web": ".js"}  # suffixes of programs, where they have one
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from SCons.Variables import BoolVariable, EnumVariable
 
-from tools.build import names, toolchains
+from tools.build import names, phones, toolchains
 from tools.fetch.roots import RISCV
 from tools.places import BUILD, ROOT, TOOLS
 
@@ -26,13 +26,14 @@ PLATFORMS = {
 	"windows": Platform(("WINDOWS_ENABLED",)),
 	"macos": Platform(("MACOS_ENABLED", "UNIX_ENABLED")),
 	"android": Platform(("ANDROID_ENABLED", "UNIX_ENABLED")),
+	"ios": Platform(("IOS_ENABLED", "UNIX_ENABLED"), has_editor=False),
 	"web": Platform(("WEB_ENABLED", "UNIX_ENABLED"), has_editor=False, has_compute=False),
 }
 
 
 def add_options(options):
 	system, arch = names.HERE
-	options.Add(EnumVariable("platform", "what is built for; android: with a toolchain of yours", system, tuple(PLATFORMS)))
+	options.Add(EnumVariable("platform", "what is built for; android, ios: with a toolchain of yours", system, tuple(PLATFORMS)))
 	options.Add(EnumVariable("arch", "processor that is built for", arch, ARCHITECTURES))
 	options.Add(BoolVariable("threads", "for Web: the engine that loads the library is built with threads", True))
 	options.Add(EnumVariable("precision", "of the engine that loads the library: its numbers are float or double", *PRECISIONS))
@@ -73,7 +74,8 @@ def prepare(env):
 	system, arch = env["platform"], env["arch"]
 	found = env["cxx"] or toolchains.compiler(system, arch)
 	if not found or not shutil.which(found.split()[0]):
-		print(f"There is no C++ compiler for {system} {arch}: name one as cxx=COMMAND, or in the environment as CXX.")
+		advice = f"{phones.ADVICE[system]}. Or " if system in phones.ADVICE else ""
+		print(f"There is no C++ compiler for {system} {arch}: {advice}name one as cxx=COMMAND, or in the environment as CXX.")
 		return None
 	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=f".{names.SUFFIXES[system]}", PROGSUFFIX=names.PROGRAMS.get(system, ""))
 	is_zig = "/zig c++" in found
@@ -89,7 +91,7 @@ def prepare(env):
 		env.Append(CCFLAGS=["-Wa,-muse-unaligned-vector-move"], LINKFLAGS=["-static", "-Wl,--no-insert-timestamp"])
 	elif system != "windows":
 		env.Append(CCFLAGS=["-fPIC"])
-	if system in ("linux", "windows") and not is_zig:
+	if system in ("linux", "windows", "android") and not is_zig:
 		env.Append(LINKFLAGS=["-Wl,--no-undefined"])
 	if is_zig:  # zig links only files named .o, and traps on undefined behaviour by default
 		env.Replace(SHOBJSUFFIX=".o")
@@ -103,10 +105,12 @@ def prepare(env):
 def link_library(env):
 	"""Links everything that the library needs into it, so that it loads where nothing is installed. Returns sources to add."""
 	system, arch = env["platform"], env["arch"]
-	if system == "macos":  # it is found by its path in the project, not by one of the machine that built it
+	if system in ("macos", "ios"):  # it is found by its path in the project, not by one of the machine that built it
 		env.Append(LINKFLAGS=["-Wl,-install_name,@rpath/${TARGET.file}"])
 	if system == "web":
 		env.Append(LINKFLAGS=["-sSIDE_MODULE=1"])
+	if system == "android":  # its C++ library is linked in and stays hidden; devices of 2025 and later load in pages of 16 KiB
+		env.Append(LINKFLAGS=["-static-libstdc++", "-Wl,--exclude-libs,ALL", "-Wl,-z,max-page-size=16384"])
 	if system != "linux":
 		return []
 	# Symbols that are linked in stay hidden: the engine has a libstdc++ of its own.

@@ -12,7 +12,7 @@ import re
 import shutil
 import subprocess
 
-from tools.build import emscripten, zig
+from tools.build import emscripten, phones, zig
 from tools.build.names import HERE
 from tools.fetch import machine
 from tools.fetch.roots import CROSS, GLIBC, RISCV
@@ -45,6 +45,8 @@ def compiler(system, arch):
 		return zig.compiler(system, arch)
 	elif system == "web" and not os.environ.get("CXX"):
 		return emscripten.compiler()
+	elif system in phones.ADVICE and not os.environ.get("CXX"):
+		return phones.compiler(system, arch)
 	else:
 		return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
 	launcher = os.environ.get("GRASS_LAUNCHER")  # such as ccache

@@ -80,7 +80,7 @@ def scons():
 
 def header_folder(header, *folders):
 	"""The folder to put on the include path so that `header` is found: the machine's first."""
-	candidates = [pathlib.Path(top) / folder for top in ("/usr/local", "/usr", UNPACKED / "usr") for folder in folders]
+	candidates = [pathlib.Path(top) / folder for top in ("/usr/local", "/opt/homebrew", "/usr", UNPACKED / "usr") for folder in folders]
 	return next((str(folder) for folder in candidates if (folder / header).is_file()), None)
 
 

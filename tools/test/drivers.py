@@ -29,8 +29,9 @@ RESTORED = "restored"  # a control of the layer itself: it rewrites shaders, and
 FIRST = "the instance of a draw call that begins at 5 is "
 # What the layer does from the start of a process, for the tests that need it; other tests change it themselves.
 BEHAVIOUR = {
-	"test_refused_later": {}, "test_refused_first": {"GRASS_LAYER_REFUSED": "cull"}, "test_refused_cull": {"GRASS_LAYER_REFUSED": "cull"},
-	"test_refused_simulate": {"GRASS_LAYER_REFUSED": "simulate"}, "test_refused_gather": {"GRASS_LAYER_REFUSED": "gather"},
+	"test_refused_later": {}, "test_refused_first": {"GRASS_LAYER_REFUSED": "cull"},
+	"test_refused_cull": {"GRASS_LAYER_REFUSED": "cull"}, "test_refused_simulate": {"GRASS_LAYER_REFUSED": "simulate"},
+	"test_refused_gather": {"GRASS_LAYER_REFUSED": "gather"},
 	"test_own_work": {"GRASS_LAYER_VENDOR": "0x10de"},
 }  # fmt: skip
 
@@ -128,7 +129,9 @@ def behaving(only, layer):
 		if not chosen:
 			continue
 		with engine.window(size="64x36", software=True) as (command, driver):
-			environment = {**driver, **layer, LAZY: "all", **behaviour}
+			asked = FOLDER / f"{script}_asked.txt"
+			asked.unlink(missing_ok=True)
+			environment = {**driver, **layer, LAZY: "all", "GRASS_LAYER_ASKED": str(asked), **behaviour}
 			tally.add(in_engine("drivers", command, environment, ",".join(chosen), title="gpu"))
 	return tally
 

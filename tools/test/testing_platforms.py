@@ -7,13 +7,17 @@ binding alone.
 """
 
 import os
+import pathlib
+import platform
 import re
 import subprocess
+import tempfile
+from unittest import mock
 
 from tools.build import build, names, toolchains
 from tools.fetch import machine
 from tools.fetch.roots import ENGINE_ARM64, GLIBC, RISCV
-from tools.places import ADDON_BIN, BUILD
+from tools.places import ADDON_BIN, BUILD, ROOT
 from tools.run import engine
 from tools.say import Failure, progress
 from tools.test.test_runs import Tally, core, in_engine
@@ -172,6 +176,44 @@ def checks(target, quick):
 		yield f"{kind}: steps 100 random scenes to the bits that they have on this machine", lambda: same_bits(target)
 
 
+def finds_an_ndk():
+	"""Raises Failure unless the NDK that the environment names is taken, of several in an SDK the newest."""
+	system = f"toolchains/llvm/prebuilt/{platform.system().lower()}-x86_64/bin"
+	with tempfile.TemporaryDirectory() as place, mock.patch.dict(os.environ):
+		for name in ("CXX", "ANDROID_NDK_ROOT"):
+			os.environ.pop(name, None)
+		os.environ["ANDROID_HOME"] = place
+		if found := toolchains.compiler("android", "arm64"):
+			raise Failure(f"an empty SDK has {found}")
+		for version in ("9.0.1", "28.1.13356709", "27.3.5"):
+			folder = pathlib.Path(place, "ndk", version, system)
+			folder.mkdir(parents=True)
+			(folder / "clang++").touch()
+		newest, named = (pathlib.Path(place, "ndk", version) for version in ("28.1.13356709", "27.3.5"))
+		for folder, arch, target in ((newest, "arm64", "aarch64-linux-android24"), (named, "x86_64", "x86_64-linux-android24")):
+			expected = f"{folder / system}/clang++ --target={target}"
+			if (found := toolchains.compiler("android", arch)) != expected:
+				raise Failure(f"{found} instead of {expected}")
+			os.environ["ANDROID_NDK_ROOT"] = str(named)
+
+
+def says_what_is_missing(system, words):
+	"""Raises Failure unless a build for `system`, whose toolchain this machine lacks, ends with `words`."""
+	command, additions = machine.scons()
+	kept = {name: value for name, value in os.environ.items() if not name.startswith("ANDROID_") and name != "CXX"}
+	command = [*command, "-Q", f"platform={system}", "arch=arm64"]
+	result = subprocess.run(command, cwd=ROOT, env={**kept, **additions}, capture_output=True, text=True)
+	if result.returncode == 0 or words not in result.stdout:
+		raise Failure(f"code {result.returncode}: {result.stdout[-500:]}{result.stderr[-500:]}")
+
+
+def phone_checks():
+	yield "android: an NDK is found by what the environment names", finds_an_ndk
+	yield "android: a build without an NDK says what to name", lambda: says_what_is_missing("android", "ANDROID_NDK_ROOT names the folder")
+	if platform.system() != "Darwin":
+		yield "ios: a build without Xcode says what it lacks", lambda: says_what_is_missing("ios", "Xcode on a Mac has it")
+
+
 def check(tally, only, every):
 	"""Runs the checks, adds them to `tally`."""
 	for name, action in every:
@@ -236,6 +278,7 @@ def run_layer(layer, only):
 		for target in (WINDOWS, ARM64):
 			check(tally, only, checks(target, True))
 		check(tally, only, double_checks(False))
+		check(tally, only, phone_checks())
 		return tally
 	if layer in ("double", "riscv"):
 		check(tally, only, double_checks(True) if layer == "double" else checks(RV64, True))

@@ -84,6 +84,23 @@ CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
 
 CpuPool::~CpuPool() = default;
 
+// FNV-1a, a word at a time.
+uint64_t CpuPool::hash() const {
+	uint64_t hash = 0xcbf29ce484222325u;
+	const auto add = [&hash](uint32_t p_word) { hash = (hash ^ p_word) * 0x100000001b3u; };
+	const auto add_floats = [&add](const float *p_first, size_t p_bytes) {
+		std::for_each(p_first, p_first + p_bytes / sizeof(float), [&add](float p_value) { add(std::bit_cast<uint32_t>(p_value)); });
+	};
+	for (size_t slot = 0; slot < _slots.size(); slot++) {
+		if (const TileState *state = _slots[slot].get()) {
+			add(uint32_t(slot));
+			add_floats(&state->knots[0][0][0], sizeof(state->knots));
+			add_floats(&state->twist[0][0], sizeof(state->twist));
+		}
+	}
+	return hash;
+}
+
 void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 	for (const SlotMove &move : p_moves) {
 		if (move.to != GRASS_NO_SLOT) {

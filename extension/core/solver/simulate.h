@@ -50,6 +50,8 @@ public:
 	// [Eq M5] Returns, for every slot, the mean offset of its blades' tips from rest, as shares of the blades' lengths.
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
 
+	// Returns a hash of where the blades of all slots are, bit for bit.
+	uint64_t hash() const;
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
 	int64_t get_strain_blades() const { return _strain_blades; } // likewise: those that moved by their strains
 	int64_t get_growth_looks() const { return _growth_looks; } // likewise: at records of StepInput::growth, to find those of the slots

@@ -161,6 +161,14 @@ func grass_world() -> void:
 	assert_eq(stage.locals.world.get_plot_path(Vector2i(0, -1)), "user://grass/plot_0_-1.grassmap")
 
 
+func grass_field_record() -> void:
+	var stage := await staged()
+	await ticks(10)
+	assert_eq(stage.field.get_record_state().mode, "recording")
+	stage.field.stop_record()
+	DirAccess.remove_absolute("user://grass.grassrecord")
+
+
 func grass_field_cut() -> void:
 	var stage := await staged()
 	assert_greater(stage.hay, 0.01, "m³")

@@ -275,6 +275,19 @@ func shared_maps_from_a_script() -> void:
 	DirAccess.remove_absolute("user://density.png")
 
 
+func recording_record() -> void:
+	var stage := await staged()
+	for action in ["ui_home", "ui_end"]:
+		var pressed := InputEventAction.new()
+		pressed.action = action
+		pressed.pressed = true
+		Input.parse_input_event(pressed)
+		await ticks(10)
+	assert_eq(stage.field.get_record_state().message, "was stopped")
+	assert_greater(stage.field.get_record_state().ticks, 3)
+	DirAccess.remove_absolute("user://grass.grassrecord")
+
+
 func first_meadow_from_a_script() -> void:
 	var node := Node3D.new()
 	node.set_script(block_script())

@@ -50,6 +50,11 @@ func refuse(passes: String) -> void:
 	OS.set_environment("GRASS_LAYER_REFUSED", passes)
 
 
+## The passes that the driver was asked for in this process, by the names of their files.
+func asked_passes() -> PackedStringArray:
+	return FileAccess.get_file_as_string(OS.get_environment("GRASS_LAYER_ASKED")).split("\n", false)
+
+
 ## The text of the error for a pass, which comes with the engine's own; names as in RenderingDevice.
 func expect_refusal(passes: Array[String]) -> void:
 	for part in ENGINE_SAYS:

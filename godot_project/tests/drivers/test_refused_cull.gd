@@ -18,6 +18,9 @@ func test_no_field_is_bare() -> void:
 	await assert_lives(field, "CPU")
 	assert_eq(said.count, 1, "however many fields there are")
 	assert_eq(said.warnings, 1)
+	var asked := asked_passes()
+	assert_greater(asked.size(), 0)
+	assert_eq(asked.count("cull"), asked.size(), "no field uses another pass: %s" % asked)
 
 
 func test_a_field_of_the_cpu_s_warns_of_nothing() -> void:

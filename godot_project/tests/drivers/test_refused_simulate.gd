@@ -16,3 +16,8 @@ func test_only_fields_that_need_it_are_the_cpu_s() -> void:
 	field.species = []
 	await assert_lives(field, "CPU")
 	assert_eq(said.count, 1)
+	var asked := asked_passes()
+	for pass_name in ["simulate_GRASS_FREE", "simulate_GRASS_EDGES", "strains"]:
+		assert_false(asked.has(pass_name), "only fields without species use " + pass_name)
+	for pass_name in ["simulate", "simulate_GRASS_SPECIES_FREE", "strains_GRASS_SPECIES"]:
+		assert_true(asked.has(pass_name), "fields use " + pass_name)
