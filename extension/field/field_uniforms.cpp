@@ -195,7 +195,8 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	if (!p_setup.species) {
 		return;
 	}
-	PackedInt32Array records, origins;
+	PackedInt32Array records, origins, frays;
+	PackedFloat32Array falls;
 	for (const SpeciesRecord &record : p_setup.species->get_records()) {
 		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
 			records.push_back(value);
@@ -204,7 +205,11 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 			origins.push_back(value);
 		}
 	}
+		frays.push_back(record.fray);
+		falls.push_back(record.falls);
 	records.resize(4 * GRASS_MAX_SPECIES);
+	frays.resize(GRASS_MAX_SPECIES);
+	falls.resize(GRASS_MAX_SPECIES);
 	origins.resize(4 * GRASS_MAX_SPECIES);
 	if (p_setup.has_plants) {
 		PackedInt32Array stems;
@@ -225,6 +230,8 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	p_set("species_mix", records);
 	p_set("species_origin", origins);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());
+	p_set("species_fray", frays);
+	p_set_blades("species_falls", falls);
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = float(GRASS_LOD_FULLNESS * GRASS_LOD_FACING); // of width times length: seen from anywhere
 	std::vector<SpeciesLook> looks;

@@ -4,10 +4,11 @@ extends "res://tests/species_case.gd"
 
 
 ## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
-func add_markers(properties := {}) -> GrassField:
+func add_markers(properties := {}, edge := 0.0) -> GrassField:
 	var shape := {
 		length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0
 	}
+	shape.stand_edge = edge
 	var field := add_seen_field(
 		(
 			{
@@ -75,12 +76,24 @@ func test_each_blade_is_drawn_as_what_it_is_simulated_as() -> void:
 	await check_markers(add_markers())
 
 
+func test_blades_at_frayed_borders_are_drawn_as_what_they_are_simulated_as() -> void:
+	await check_markers(add_markers({}, 0.8))
+
+
 func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
 	var field := add_markers({map = full_map()})
 	for number in [1, 2, 3]:
 		var place := Vector3(-5 + 3.7 * number, 0, -2 + number)
 		field.paint(brush(GrassBrush.TOOL_SPECIES, 3.0, {species = number}), place, place)
 	await check_markers(field)
+
+
+func test_awake_blades_at_the_border_of_stands_are_drawn_as_they_were_asleep() -> void:
+	var soft := {stand_edge = 0.8, stand_size = 1.0, stand_strength = 1.0}
+	var species := [
+		make(0.5, Color(0.3, 0.6, 0.2), soft), make(0.5, Color(0.7, 0.2, 0.2), soft.merged({length_min = 0.7, length_max = 0.9}))
+	]
+	await assert_waking_is_not_seen(add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 5.0, species = species}))
 
 
 func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
