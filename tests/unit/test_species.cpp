@@ -136,7 +136,7 @@ TEST_CASE("species: the shares around a place say how often its blades are which
 
 TEST_CASE("species: stands that end softly keep their shares, fray a little, and slope down to their borders [Eq P6]") {
 	const auto make = [](double p_edge, bool p_falls) {
-		const SpeciesParams params[] = { { 0.5, 4.0, 0.9, 1, p_edge, p_falls }, { 0.5, 4.0, 0.9, 1, p_edge, p_falls } };
+		const SpeciesParams params[] = { { 0.5, 1.5, 0.9, 1, p_edge, p_falls }, { 0.5, 1.5, 0.9, 1, p_edge, p_falls } };
 		return SpeciesMix(params, SPECIES_GRID, 0);
 	};
 	const SpeciesMix sharp = make(0.0, true), soft = make(0.6, true), mesh = make(0.6, false);
@@ -172,7 +172,7 @@ TEST_CASE("species: stands that end softly keep their shares, fray a little, and
 	CHECK(lowest < 0.5f);
 	CHECK(moved > all / 100);
 	CHECK(moved < all / 5);
-	CHECK(inside / inner > 0.85);
+	CHECK(inside / inner > 0.8);
 	CHECK(outside / outer < 0.75);
 }
 
