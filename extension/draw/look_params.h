@@ -27,6 +27,8 @@ inline constexpr std::array FIELD_COLORS = {
 // Textures of a field's soil, each with a property and a uniform of its own; and the metres that they span.
 inline constexpr std::array SOIL_TEXTURES = { "soil_albedo", "soil_normal", "soil_roughness" };
 inline constexpr Tunable SOIL_SCALE{ "soil_scale", "m", 0.1, 100.0, 0.1, 2.0 };
+// How much soil a field has where its map has no grass. 0: the floor below shows.
+inline constexpr Tunable BARE_SOIL{ "bare_soil", "", 0.0, 1.0, 0.01, 0.0 };
 
 // Share of dryness in tips and light clumps.
 inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };

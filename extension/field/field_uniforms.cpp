@@ -22,6 +22,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	const BladeSize size = p_setup.blade_size();
 	p_set("grass_cover", grass_lod_cover(size.width, size.length, float(grid.get_tile_size())));
 	p_set("grass_length", size.length);
+	p_set("grass_width", size.width);
 	set_clump(p_setup.clump, p_set);
 	const std::array<float, 4> &origin = p_setup.clump.origin;
 	p_set("clump_origin", Vector4(origin[0], origin[1], origin[2], origin[3]));
@@ -195,7 +196,8 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	if (!p_setup.species) {
 		return;
 	}
-	PackedInt32Array records, origins;
+	PackedInt32Array records, origins, frays;
+	PackedFloat32Array falls;
 	for (const SpeciesRecord &record : p_setup.species->get_records()) {
 		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
 			records.push_back(value);
@@ -203,7 +205,11 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 		for (const int32_t value : { record.x, record.z, record.column, record.row }) {
 			origins.push_back(value);
 		}
+		frays.push_back(record.fray);
+		falls.push_back(record.falls);
 	}
+	frays.resize(GRASS_MAX_SPECIES);
+	falls.resize(GRASS_MAX_SPECIES);
 	records.resize(4 * GRASS_MAX_SPECIES);
 	origins.resize(4 * GRASS_MAX_SPECIES);
 	if (p_setup.has_plants) {
@@ -224,6 +230,8 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	p_set("species_count", p_setup.species->get_count());
 	p_set("species_mix", records);
 	p_set("species_origin", origins);
+	p_set("species_fray", frays);
+	p_set_blades("species_falls", falls);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = float(GRASS_LOD_FULLNESS * GRASS_LOD_FACING); // of width times length: seen from anywhere

@@ -47,6 +47,7 @@ void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> 
 	for (const SpeciesRecord &record : p_setup.species->get_records()) {
 		mix.mix[s] = { record.cell, record.strength, record.limit, record.salt };
 		mix.origin[s] = { record.x, record.z, record.column, record.row };
+		mix.fray[s] = record.fray;
 		mix.stems[s++] = record.stems;
 	}
 	mix.count = p_setup.species->get_count();

@@ -65,7 +65,7 @@ public:
 private:
 	struct Mix { // the layout in plants.glsl
 		std::array<ivec4, GRASS_MAX_SPECIES> mix, origin;
-		std::array<int32_t, GRASS_MAX_SPECIES> stems;
+		std::array<int32_t, GRASS_MAX_SPECIES> stems, fray;
 		int32_t count, texel, unused[2];
 	};
 	struct Choosing {

@@ -154,7 +154,8 @@ bool GrassSpecies::prepare_patch() const {
 }
 
 SpeciesParams GrassSpecies::get_mix() const {
-	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH), get_stems() };
+	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH), get_stems(),
+		param(SPECIES_PARAM_STAND_EDGE), _plant_mesh.is_null() };
 }
 
 SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {

@@ -47,6 +47,7 @@ layout(set = 0, binding = GRASS_PLANTS_MIX, std430) readonly buffer MixBuffer {
 	ivec4 species_mix[GRASS_MAX_SPECIES];
 	ivec4 species_origin[GRASS_MAX_SPECIES];
 	int species_stems[GRASS_MAX_SPECIES];
+	int species_fray[GRASS_MAX_SPECIES];
 	int species_count;
 	int species_texel;
 };
@@ -176,8 +177,10 @@ void choose() {
 	uint start = grass_tile_start(uint(tile.x), uint(tile.y), view.counts.z);
 	uint blade = gl_LocalInvocationID.x;
 	vec2 root = texelFetch(patch_knots, patch_texel(int(start + blade), 0), 0).xy;
+	uint bits = grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0));
 	bool is_painted;
-	int species = species_of(tile, root, grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0)), blade, int(start), is_painted);
+	float apart;
+	int species = species_of(tile, root, bits, blade, int(start), is_painted, apart);
 	if (blade == 0u) {
 		plants_of_tile = 0u;
 	}

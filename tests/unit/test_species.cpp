@@ -134,6 +134,48 @@ TEST_CASE("species: the shares around a place say how often its blades are which
 	}
 }
 
+TEST_CASE("species: stands that end softly keep their shares, fray a little, and slope down to their borders [Eq P6]") {
+	const auto make = [](double p_edge, bool p_falls) {
+		const SpeciesParams params[] = { { 0.5, 1.5, 0.9, 1, p_edge, p_falls }, { 0.5, 1.5, 0.9, 1, p_edge, p_falls } };
+		return SpeciesMix(params, SPECIES_GRID, 0);
+	};
+	const SpeciesMix sharp = make(0.0, true), soft = make(0.6, true), mesh = make(0.6, false);
+	CHECK(!sharp.chooses_as(soft));
+	CHECK(std::abs(count(soft)[1] - 0.5) < 0.03);
+	int all = 0, moved = 0, inner = 0, outer = 0;
+	double inside = 0.0, outside = 0.0; // sums of heights: within a stand, and where another one begins
+	float lowest = 1.0f;
+	for (int z = 30; z < 130; z += 2) {
+		for (int x = 30; x < 130; x += 2) {
+			for (int b = 0; b < GRASS_BLADES_PER_TILE; b += 9) {
+				const int start = int(grass_tile_start(uint32_t(x), uint32_t(z), 0));
+				const Eigen::Vector2f root = root_of(start + b);
+				const SpeciesMix::RootOf place = [&](int) { return root; };
+				float height = 0.0f, flat = 0.0f, upright = 0.0f;
+				const int species = soft.choose(x, z, b, place, nullptr, &height);
+				moved += species != sharp.choose(x, z, b, place, nullptr, &flat);
+				all++;
+				CHECK(flat == 1.0f);
+				CHECK(mesh.choose(x, z, b, place, nullptr, &upright) == species);
+				CHECK(upright == 1.0f);
+				CHECK(height <= 1.0f);
+				lowest = std::min(lowest, height);
+				const Eigen::Vector2f at((float(x) + root.x() - 80.0f) * 0.5f, (float(z) + root.y() - 80.0f) * 0.5f);
+				const float other = sharp.get_shares_at(at, nullptr)[size_t(1 - species)];
+				(other > 0.3f ? outside : inside) += other > 0.3f || other == 0.0f ? double(height) : 0.0;
+				outer += other > 0.3f;
+				inner += other == 0.0f;
+			}
+		}
+	}
+	CHECK(lowest >= 0.4f);
+	CHECK(lowest < 0.5f);
+	CHECK(moved > all / 100);
+	CHECK(moved < all / 5);
+	CHECK(inside / inner > 0.8);
+	CHECK(outside / outer < 0.75);
+}
+
 TEST_CASE("species: what is painted grows there alone, and mixes with what is around it only along the border [Eq P3]") {
 	const SpeciesParams params[] = { { 1.0, 4.0, 0.3 }, { 0.0, 4.0, 0.3 } };
 	const SpeciesMix mix(params, SPECIES_GRID, 0);

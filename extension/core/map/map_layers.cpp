@@ -38,7 +38,7 @@ void look_beside_ledge(
 	const glsl::vec2 place = SPOTS * glsl::grass_ledge_place(p_in_chunk, p_offset);
 	const Eigen::Array2i fine = Eigen::Array2f(place.x, place.y).floor().cast<int>().max(0).min(GRASS_LEDGE_TEXELS - 1);
 	const int code = p_layer.ledge[size_t(fine.y()) * GRASS_LEDGE_TEXELS + size_t(fine.x())];
-	r_growth.ledges = 1.0f;
+	r_growth.ledges = code == 0 ? 2.0f : 1.0f;
 	r_growth.density = code == 0 ? 0.0f : r_growth.density;
 	if (code == GRASS_LEDGE_NONE) {
 		return;

@@ -19,23 +19,25 @@ int FieldBlades::first_of(int p_tile_x, int p_tile_z) const {
 	return int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
 }
 
-int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade) const {
+int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade, float *r_height) const {
 	if (!_species) {
 		return 0;
 	}
 	const auto root_of = [this](int p_of) -> Eigen::Vector2f { return get_texel(p_of, 0).head<2>(); };
-	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map);
+	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map, r_height);
 }
 
 FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
 	Pose pose;
 	pose.blade = first_of(p_tile_x, p_tile_z) + p_blade;
-	pose.species = get_species(p_tile_x, p_tile_z, p_blade);
+	float height = 1.0f;
+	pose.species = get_species(p_tile_x, p_tile_z, p_blade, &height);
 	pose.blade += GRASS_PATCH_BLADES * pose.species;
 	pose.root = get_texel(pose.blade, 0).head<2>();
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), pose.root,
 			Eigen::Vector2f(float(_grid.get_tiles_x()), float(_grid.get_tiles_z())), float(_grid.get_tile_size()));
 	pose.clump = clump_at(place, _clump);
+	pose.clump.height *= height;
 	if (_map) {
 		const Growth here = _map->sample(place);
 		const float length = get_texel(pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long

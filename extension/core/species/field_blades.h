@@ -32,8 +32,8 @@ public:
 	Eigen::Vector2f get_root(int p_tile_x, int p_tile_z, int p_blade) const {
 		return get_texel(first_of(p_tile_x, p_tile_z) + p_blade, 0).head<2>();
 	}
-	// Returns the blade's species.
-	int get_species(int p_tile_x, int p_tile_z, int p_blade) const;
+	// Returns the blade's species. r_height: as SpeciesMix::choose() sets it.
+	int get_species(int p_tile_x, int p_tile_z, int p_blade, float *r_height = nullptr) const;
 	// Returns the blade's pose.
 	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Returns whether the blade exists: the map may thin out the grass there, and a species may have no blades.

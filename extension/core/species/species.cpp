@@ -14,6 +14,9 @@ namespace grass {
 
 namespace {
 
+// How far the borders of stands fray at most, as a share of a stand's size.
+constexpr double FRAYS = 0.25;
+
 constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
 
 // The quantiles of stand noise, ascending. They do not depend on where the lattice is.
@@ -106,6 +109,9 @@ SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid 
 		record.strength = int32_t(std::lround(STAND_STRENGTH.clamp(params.stand_strength) * 256.0));
 		record.limit = find_limit(total > 0.0 ? share / total : 0.0, record.strength);
 		record.stems = std::clamp(params.stems, 1, int(PLANT_STEMS.maximum));
+		const double edge = STAND_EDGE.clamp(params.stand_edge);
+		record.fray = int32_t(std::lround(edge * FRAYS * record.cell));
+		record.falls = params.falls ? float(edge) : 0.0f;
 		record.column = int32_t(floor_of(x, record.cell));
 		record.row = int32_t(floor_of(z, record.cell));
 		record.x = int32_t(x - int64_t(record.column) * record.cell);
@@ -130,6 +136,18 @@ struct SpeciesMix::Place {
 	uint32_t bits, blade; // bits of the tile; the blade whose random numbers decide
 };
 
+// [Eq P1] of the place where a blade is looked up, [Eq P6].
+uint32_t SpeciesMix::noise_at(const SpeciesRecord &p_record, const Place &p_place, int p_species) {
+	if (p_record.strength == 0) {
+		return 0;
+	}
+	const auto moved = [&](int p_units, uint32_t p_axis) {
+		return grass_stand_place(uint32_t(p_units), uint32_t(p_record.fray), p_place.bits, p_place.blade, uint32_t(p_species), p_axis);
+	};
+	return grass_stand_noise(moved(p_place.x + p_record.x, 0), moved(p_place.z + p_record.z, 1), uint32_t(p_record.cell),
+			uint32_t(p_record.salt), uint32_t(p_record.column), uint32_t(p_record.row));
+}
+
 int SpeciesMix::find_painted(const Place &p_place, const MapLayers *p_layers) const {
 	if (!p_layers) {
 		return -1;
@@ -142,7 +160,7 @@ int SpeciesMix::find_painted(const Place &p_place, const MapLayers *p_layers) co
 }
 
 // The twin of species_of() in shaders/species/choice.inc.
-int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const {
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers, float *r_height) const {
 	const uint32_t tile_seed = uint32_t(grass_tile_hash(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) * 2048.0f);
 	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed);
 	const int start = int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
@@ -155,14 +173,21 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 		return place_of(first, (start + first) / p_stems);
 	};
 	const Place own = place_of(p_blade, start + p_blade);
+	float apart = 1.0f; // from the borders of stands
+	const auto found = [&](int p_species) {
+		if (r_height != nullptr) {
+			*r_height = 1.0f - _records[size_t(p_species)].falls * (1.0f - apart);
+		}
+		return p_species;
+	};
 	for (int s = 0; s < _count && p_layers != nullptr; s++) { // paint covers a whole plant or none of it, by its root
 		const int stems = _records[size_t(s)].stems;
 		if (stems > 1 && find_painted(plant_of(stems), p_layers) == s) {
-			return s;
+			return found(s);
 		}
 	}
 	if (const int painted = find_painted(own, p_layers); painted >= 0 && _records[size_t(painted)].stems == 1) {
-		return painted;
+		return found(painted);
 	}
 	for (int s = _count - 1; s > 0; s--) {
 		const SpeciesRecord &record = _records[size_t(s)];
@@ -170,13 +195,14 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 		if (record.stems > 1 && find_painted(at, p_layers) >= 0) {
 			continue;
 		}
-		if (grass_species_takes(uint32_t(at.x + record.x), uint32_t(at.z + record.z), uint32_t(record.cell), uint32_t(record.strength),
-					uint32_t(record.limit), uint32_t(record.salt), uint32_t(record.column), uint32_t(record.row),
-					grass_species_random(bits, at.blade, uint32_t(s)))) {
-			return s;
+		const uint32_t strength = uint32_t(record.strength), limit = uint32_t(record.limit), noise = noise_at(record, at, s);
+		const bool takes = grass_species_takes(noise, strength, limit, grass_species_random(bits, at.blade, uint32_t(s)));
+		apart = std::min(apart, grass_stand_apart(noise, strength, limit, takes));
+		if (takes) {
+			return found(s);
 		}
 	}
-	return 0;
+	return found(0);
 }
 
 int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
@@ -201,8 +227,8 @@ std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vect
 		const SpeciesRecord &record = _records[size_t(s)];
 		const float taken = left *
 				grass_species_chance(uint32_t(units.x()) + uint32_t(record.x), uint32_t(units.y()) + uint32_t(record.z),
-						uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit), uint32_t(record.salt),
-						uint32_t(record.column), uint32_t(record.row));
+						uint32_t(record.fray), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
+						uint32_t(record.salt), uint32_t(record.column), uint32_t(record.row));
 		shares[size_t(s)] = taken;
 		left -= taken;
 	}

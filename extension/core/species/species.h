@@ -3,6 +3,7 @@
 // functions read. docs/internals/species.md, [Eq P1] to [Eq P4].
 #pragma once
 
+#include "core/base/glsl.h"
 #include "core/base/hash.h"
 #include "core/base/tile_grid.h"
 #include "core/base/tunable.h"
@@ -17,6 +18,7 @@
 
 namespace grass {
 
+using glsl::smoothstep;
 using std::floor;
 
 #define GRASS_FUNCTION inline
@@ -33,6 +35,8 @@ inline constexpr Tunable SPECIES_SHARE{ "share", "", 0.0, 1.0, 0.01, 0.5 };
 inline constexpr Tunable STAND_SIZE{ "stand_size", "m", 0.2, 64.0, 0.1, 4.0 };
 // 0: single blades among those of other species; 1: separate stands with sharp borders.
 inline constexpr Tunable STAND_STRENGTH{ "stand_strength", "", 0.0, 1.0, 0.01, 0.6 };
+// How softly its stands end: their borders fray, and blades there are lower by up to this share. 0: they end as sharply as they are strong.
+inline constexpr Tunable STAND_EDGE{ "stand_edge", "", 0.0, 1.0, 0.01, 0.0 };
 
 // Share of a species' blades that have a flower or seed head.
 inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
@@ -68,6 +72,8 @@ struct SpeciesParams {
 	double stand_size = STAND_SIZE.initial; // metres
 	double stand_strength = STAND_STRENGTH.initial;
 	int stems = 1; // a power of two
+	double stand_edge = STAND_EDGE.initial;
+	bool falls = true; // blades at the border of its stands are lower, too; not so plants with a mesh
 	bool operator==(const SpeciesParams &) const = default;
 };
 
@@ -75,6 +81,8 @@ struct SpeciesParams {
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
 	int32_t stems = 1; // chosen together
+	int32_t fray = 0; // units
+	float falls = 0.0f; // how much lower blades at the border of its stands are, 0..1
 	// The field's first corner in the noise: units within a cell, and which cell.
 	int32_t x = 0, z = 0, column = 0, row = 0;
 
@@ -97,7 +105,9 @@ public:
 
 	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // returns the place in a tile, 0..1, of a blade of the patch
 	// Returns the species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
-	int choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const;
+	// r_height: the height of the blade there as a share of what it would be within a stand, [Eq P6].
+	int choose(
+			int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers, float *r_height = nullptr) const;
 	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // for single stems
 	// [Eq P4] Returns the shares of the species among the blades around a place in the field: x, z in metres. They add up to 1.
 	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
@@ -105,6 +115,7 @@ public:
 private:
 	struct Place;
 
+	static uint32_t noise_at(const SpeciesRecord &p_record, const Place &p_place, int p_species);
 	int find_painted(const Place &p_place, const MapLayers *p_layers) const;
 	int find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const;
 

@@ -72,6 +72,7 @@ func _add(p_name: String, rect: Rect2, density: float, is_near: bool) -> GrassFi
 	made.border_fade = 0.0  # the next field begins there
 	made.soil_color = soil_color
 	made.root_shade = root_shade
+	made.bare_soil = 1.0
 	made.wheel_wear = 3.0
 	made.map = GrassMap.new()
 	made.map.base_density = 1.0

@@ -81,6 +81,28 @@ func test_ground_has_the_same_mean_near_and_far() -> void:
 		assert_near(far[channel] / near[channel], 1.0, 0.12, "channel %d" % channel)
 
 
+func test_a_path_is_earth_where_the_field_has_bare_soil() -> void:
+	var field := await add_ground({map = full_map()})
+	field.paint(brush(GrassBrush.TOOL_ERASE, 16.0), Vector3(-9, 0, 0), Vector3(9, 0, 0))
+	camera.size = 2.0
+	var floor_below := light(await ground_picture(2.0))
+	field.bare_soil = 1.0
+	var near := Color(0, 0, 0, 0)
+	var most := 0.0
+	for n in 4:
+		var image := await ground_picture(0.6 + 0.3 * n)
+		most = maxf(most, contrast(image))
+		near += 0.25 * light(image)
+	save(await ground_picture(1.0), "path_near")
+	var far := light(await ground_picture(14.0))
+	print("    floor %s, path near %s with a contrast of %.2f, far %s" % [floor_below, near, most, far])
+	assert_greater(floor_below.b, 2.0 * floor_below.r, "without it nothing covers the blue below the field")
+	assert_greater(near.r, 1.2 * near.b, "earth is brown")
+	assert_greater(most, 0.2, "crumbs and stones near the eye")
+	for channel in 3:
+		assert_near(far[channel] / near[channel], 1.0, 0.12, "channel %d" % channel)
+
+
 func test_soil_shows_the_textures_of_the_user() -> void:
 	var field := await add_ground()
 	var plain := light(await ground_picture(2.0))

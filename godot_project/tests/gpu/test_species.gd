@@ -4,10 +4,11 @@ extends "res://tests/species_case.gd"
 
 
 ## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
-func add_markers(properties := {}) -> GrassField:
+func add_markers(properties := {}, own := {}) -> GrassField:
 	var shape := {
 		length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0
 	}
+	shape.merge(own, true)
 	var field := add_seen_field(
 		(
 			{
@@ -75,12 +76,47 @@ func test_each_blade_is_drawn_as_what_it_is_simulated_as() -> void:
 	await check_markers(add_markers())
 
 
+func test_blades_at_frayed_borders_are_drawn_as_what_they_are_simulated_as() -> void:
+	await check_markers(add_markers({}, {stand_edge = 0.8}))
+
+
 func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
 	var field := add_markers({map = full_map()})
 	for number in [1, 2, 3]:
 		var place := Vector3(-5 + 3.7 * number, 0, -2 + number)
 		field.paint(brush(GrassBrush.TOOL_SPECIES, 3.0, {species = number}), place, place)
 	await check_markers(field)
+
+
+## How much of a picture is blades, and the sum of the heights of all blades, metres; aslant from above.
+func find_area(field: GrassField) -> Vector2:
+	look(Vector3(0, 5, 5), Vector3.ZERO)
+	var image := await picture()
+	var found := Vector2.ZERO
+	for y in SIDE:
+		for x in SIDE:
+			var color := image.get_pixel(x, y)
+			found.x += float(Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() > 0.1)
+	var tiles := field.get_grid_size()
+	for z in tiles.y:
+		for x in tiles.x:
+			for blade in BLADES:
+				var knots := field.get_knots(Vector2i(x, z), blade)
+				found.y += knots[-1].y - knots[0].y
+	return found
+
+
+func test_blades_at_the_border_of_stands_are_drawn_as_low_as_they_are_simulated() -> void:
+	var long := {length_min = 0.9, length_max = 0.9, width_min = 0.05, width_max = 0.05, stand_strength = 1.0}
+	var field := add_markers({}, long)
+	var sharp := await find_area(field)
+	for species: GrassSpecies in field.species:
+		species.stand_edge = 0.9
+	await grown(field)
+	var soft := await find_area(field)
+	print("    soft against sharp: %.3f of the area, %.3f of the heights" % [soft.x / sharp.x, soft.y / sharp.y])
+	assert_less(soft.y, 0.85 * sharp.y, "blades are lower")
+	assert_near(soft.x / sharp.x, soft.y / sharp.y, 0.05, "and drawn so")
 
 
 func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:

@@ -2,10 +2,10 @@
 ## The plants in a view of the gallery, the ground below them, and the landscape around.
 extends Node3D
 
+const Earth := preload("res://demo/earth.gd")
 const Landscape := preload("res://demo/landscape.gd")
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
 const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
-const EARTH := Color(0.2, 0.2, 0.1)
 const STONE := Color(0.33, 0.32, 0.29)  # around plots in the shade
 const SMALL := 20.0  # metres, the side of a field in software
 ## Side of the field in metres, blades a square metre, species.
@@ -60,6 +60,7 @@ func _init(p_kind: String, is_small: bool) -> void:
 	if kind == "painted":
 		field.map = GrassMap.new()
 		field.map.base_density = 1.0
+		field.bare_soil = 1.0  # its path is earth
 
 
 func _ready() -> void:
@@ -130,18 +131,18 @@ func _plain() -> MeshInstance3D:
 	var ground := MeshInstance3D.new()
 	ground.mesh = PlaneMesh.new()
 	ground.mesh.size = Vector2.ONE * float(BARE.get(kind, field.size.x))
-	ground.mesh.material = _earth()
+	ground.mesh.material = Earth.material()
 	if kind == "plots":
-		ground.mesh.material.albedo_color = STONE
+		ground.mesh.material = _stone()
 		ground.gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC  # the light of the probes in its middle
 	return ground
 
 
-func _earth() -> StandardMaterial3D:
-	var earth := StandardMaterial3D.new()
-	earth.albedo_color = EARTH
-	earth.roughness = 1.0
-	return earth
+func _stone() -> StandardMaterial3D:
+	var stone := StandardMaterial3D.new()
+	stone.albedo_color = STONE
+	stone.roughness = 1.0
+	return stone
 
 
 ## A path that winds from the camera to the far side, and stands of the second species beside it.
