@@ -1,7 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Chooses the plants of one species that are drawn with a mesh, near the cameras, and writes an instance for each. One workgroup for each
-// tile of the squares around the cameras, one thread a blade. Reads the same buffers as cull.glsl, and runs after it.
+// tile of the squares around the cameras, one thread a blade. Reads the same buffers as cull.glsl, and runs after it. Twin of
+// core/lod/plant_cull.h.
 #pragma variant GRASS_MAP // for fields with a map, on which species may be painted
 #extension GL_GOOGLE_include_directive : require
 
@@ -177,7 +178,7 @@ void choose() {
 	uint blade = gl_LocalInvocationID.x;
 	vec2 root = texelFetch(patch_knots, patch_texel(int(start + blade), 0), 0).xy;
 	bool is_painted;
-	int species = species_of(tile, root, grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0)), blade, int(start), is_painted);
+	int species = choose_species(tile, root, grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0)), blade, int(start), is_painted);
 	if (blade == 0u) {
 		plants_of_tile = 0u;
 	}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each blade of a field at rest: its species, its clump, and how a map changes both. The CPU's twin of begin_point() in
-// shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
+// Each blade of a field at rest: its species, its clump, and how a map changes both. Does for the CPU
+// what begin_point() in shaders/draw/pose.gdshaderinc does for the picture. Lives as long as the field is built.
 #pragma once
 
 #include "core/base/standing_plant.h"
