@@ -49,7 +49,7 @@ public:
 	virtual void show_between(bool p_is_between, float p_share) = 0;
 	// Must be called in each rendered frame, before follow(). p_is_read: whether anything reads motion vectors; p_has_blown: whether the
 	// wind's clock has advanced since the last frame. The engine calls vertex() a second time with the MODEL_MATRIX of the frame before,
-	// and a shader cannot tell the calls apart otherwise. So in frames in which blades move, the instance of the picture flips y over, or
+	// and a shader cannot distinguish the calls otherwise. So in frames in which blades move, the instance of the picture flips y over, or
 	// back, and the shader reverses that. Without vectors (default) blades blur where they move.
 	virtual void show_motion([[maybe_unused]] bool p_is_read, [[maybe_unused]] bool p_has_blown) {}
 	// Follows the node: p_transform (orthonormal), its world, visibility, layers and shadows.

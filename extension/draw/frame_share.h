@@ -10,7 +10,7 @@ namespace grass {
 class FrameShare {
 public:
 	// The work of one user, as long as this object lives. Only that time counts, not what the engine does between two users. A user must
-	// ask before each piece of work. Main thread only.
+	// request each piece of work before it begins. Main thread only.
 	class Turn {
 	public:
 		explicit Turn(const void *p_user); // the user that waits if a request is denied

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texture arrays of the same layers, which grow. The renderer wants all layers of an array when it makes it: small arrays are made at once;
+// Texture arrays of the same layers, which grow. The renderer needs all layers of an array when it makes it: small arrays are made at once;
 // for larger ones the layers are gathered, some a frame, and a worker thread makes the arrays, while the old ones show. Compatibility
 // uploads on the thread of the frames: there it is one array a frame.
 #pragma once

@@ -13,7 +13,7 @@ public:
 	// Takes world, layers, transparency and gi_mode of the node, and p_transform. The instance is visible if the node is and if
 	// p_is_wanted. Must always get the same instance until reset().
 	void follow(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_wanted);
-	// Changes whether the instance is wanted, after follow(), at once.
+	// Shows or hides the instance at once, after follow().
 	void show(const godot::RID &p_instance, bool p_is_wanted);
 	void reset() { _is_known = false; }
 	int64_t get_updates() const { return _updates; } // changes that were passed to the renderer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands for a plant's mesh at some distance: a card that turns to the eye with pictures of the mesh from all sides, and one that lies
-// with a picture from above (shaders/draw/plant.gdshader with GRASS_IMPOSTOR).
+// The impostor of a plant, drawn in place of its mesh at some distance: a card that turns to the eye with pictures of the mesh from all
+// sides, and one that lies with a picture from above (shaders/draw/plant.gdshader with GRASS_IMPOSTOR).
 #pragma once
 
 #include "draw/plant_model.h"

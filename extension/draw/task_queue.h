@@ -21,7 +21,7 @@ public:
 
 	// Queues a job. p_key: its name for want() and remove().
 	void push(const void *p_key, std::function<void()> &&p_job, int p_order = 0, Need p_need = Need::WANTED);
-	// Marks a job as one that somebody waits for. Does nothing once it has begun.
+	// Moves a job before those that nobody waits for. Does nothing once it has begun.
 	void want(const void *p_key);
 	// Removes a job that has not begun. Returns false if it has.
 	bool remove(const void *p_key);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a field's ground is to be baked: it stands on its plane, but what is below and above it is uneven.
+// Decides whether the editor offers to bake a field's ground: the field is flat, but the ground below and above it is uneven.
 #pragma once
 
 #include "nodes/grass_field.h"

@@ -108,7 +108,7 @@ private:
 	godot::HFlowContainer *_shape = nullptr; // of the brush: hardness or stamp
 	SpeciesPalette *_species = nullptr; // over the view, like the offer: above it, they would push it down
 	godot::Button *_offer = nullptr;
-	godot::Control *_row_end = nullptr, *_no_target = nullptr; // empty: ends the first row; stands where a tool has no number
+	godot::Control *_row_end = nullptr, *_no_target = nullptr; // empty: the end of the first row; the place of a number that a tool lacks
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
 	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr, *_stamp = nullptr;

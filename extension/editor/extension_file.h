@@ -7,7 +7,7 @@
 
 namespace grass {
 
-inline constexpr char UNIVERSAL[] = "universal"; // the architecture on macOS that stands for both of its processors
+inline constexpr char UNIVERSAL[] = "universal"; // the architecture of libraries on macOS that serve both of its processors
 
 struct NamedLibrary {
 	godot::String path; // "": none fits

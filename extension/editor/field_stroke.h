@@ -51,8 +51,8 @@ godot::Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes);
 
 class FieldStroke {
 public:
-	// p_bakes: reads the ground under the brush into a new map. p_is_ground: also into any map before the brush paints there, for the grass
-	// to stand on and for the brush's limits. p_world: the world if the field is one of its plots, or null.
+	// p_bakes: reads the ground under the brush into a new map. p_is_ground: also into any map before the brush paints there, since the
+	// grass and the brush's limits need it. p_world: the world if the field is one of its plots, or null.
 	FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground, GrassWorld *p_world);
 
 	// p_level: of the ground under the cursor, metres above the field.

@@ -98,7 +98,7 @@ void GrassEditorPlugin::_notification(int p_what) {
 	}
 }
 
-// A field that stands on its plane, where ground is not even, offers to bake it. The brush does so by itself.
+// Offers to bake the ground of a flat field above uneven ground. The brush does so by itself.
 void GrassEditorPlugin::update_toolbar() {
 	if (!_toolbar->is_visible()) {
 		return;

@@ -102,7 +102,7 @@ private:
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	DuplicatedFields _duplicates;
-	uint64_t _told_id = 0; // of the selected field, once the editor has said with which others it shares its map
+	uint64_t _told_id = 0; // of the selected field, once the editor has printed which other fields share its map
 	RingView _ring;
 	BrushPreview _preview;
 	std::vector<ViewDrop *> _drops; // exist while species are dragged

@@ -19,7 +19,7 @@ public:
 	// The transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it equals
 	// field_transform().
 	virtual godot::Transform3D drawn_transform() = 0;
-	// Makes the field, if none stands yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
+	// Makes the field if there is none yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
 	[[nodiscard]] virtual bool stand() = 0;
 	// Reads what scripts have a part in of the field to be made: ground, fill, meshes. Returns false if one of them freed the field.
 	[[nodiscard]] virtual bool read_scene() = 0;

@@ -44,7 +44,7 @@ struct FieldProperties {
 	void warn_of_ground(godot::PackedStringArray &r_warnings) const;
 
 	godot::Vector2 size{ 32, 32 };
-	// Where the field's centre lies in the noise of clumps, stands, rules and wind, metres: (0, 0) but for the plots of a world.
+	// The place of the field's centre in the noise of clumps, stands, rules and wind, metres: (0, 0) but for the plots of a world.
 	godot::Vector2i noise_origin;
 	FieldSpecies species;
 	FieldHook hook;

@@ -6,7 +6,6 @@
 #include "shared/script_call.h"
 
 #include <algorithm>
-#include <iterator>
 
 using namespace godot;
 
@@ -67,7 +66,6 @@ void FieldSpecies::set(const TypedArray<GrassSpecies> &p_species, const Callable
 		list.push_back(species);
 	}
 	(void)replace(_list, list);
-	_has_own = false;
 }
 
 TypedArray<GrassSpecies> FieldSpecies::get() const {
@@ -76,24 +74,6 @@ TypedArray<GrassSpecies> FieldSpecies::get() const {
 		species.push_back(one);
 	}
 	return species;
-}
-
-bool FieldSpecies::is_species_property(const StringName &p_name) {
-	static const char *const names[] = { "patch", "natural_frequency", "damping_ratio", "root_stiffness", "bend_stiffness", "wear_recovery",
-		"root_color", "tip_color", "dry_color", "dry" };
-	return std::any_of(std::begin(names), std::end(names), [&](const char *p_known) { return p_name == StringName(p_known); });
-}
-
-Ref<GrassSpecies> FieldSpecies::find_own(const Callable &p_changed) {
-	if (_list.empty()) {
-		Ref<GrassSpecies> species;
-		species.instantiate();
-		TypedArray<GrassSpecies> one;
-		one.push_back(species);
-		set(one, p_changed);
-		_has_own = true;
-	}
-	return _has_own ? _list.front() : Ref<GrassSpecies>();
 }
 
 bool FieldSpecies::is_plain() const {

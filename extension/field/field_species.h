@@ -51,11 +51,6 @@ public:
 	[[nodiscard]] bool read_plants(const godot::Object &p_field) const;
 	// Returns the species that are used. An empty place in the list counts as a species, so that the numbers of the others stay the same.
 	List find_used() const;
-	// Scenes and scripts of 0.9.0 set these properties of a field, which belong to a species now.
-	static bool is_species_property(const godot::StringName &p_name);
-	// Returns the species that gets their values: one of the field's own, if no others were set. Null if others were: then a field never
-	// used the values.
-	godot::Ref<GrassSpecies> find_own(const godot::Callable &p_changed);
 	std::vector<SpeciesParams> find_mix() const;
 	std::vector<GrownSpecies> find_grown() const;
 	// Returns the radius of the largest flower, seed head or leaf around its tip, in metres. A card on a thinned tile is drawn larger.
@@ -88,7 +83,6 @@ private:
 	void warn_of_plants(int64_t p_species, double p_density, godot::PackedStringArray &r_warnings) const;
 
 	List _list; // may hold empty ones
-	bool _has_own = false; // the one in it was made by find_own()
 	Eigen::Vector3d _pull = Eigen::Vector3d::Zero();
 	mutable std::shared_ptr<const Patch> _joined;
 	mutable Joining _joined_of;

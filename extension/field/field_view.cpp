@@ -98,7 +98,7 @@ Ref<XRInterface> find_headset(Viewport *p_viewport) {
 	return headset.is_valid() && headset->is_initialized() ? headset : Ref<XRInterface>();
 }
 
-// How p_field stands to a camera that is drawn between two ticks, where planes and place that the camera tells are the last tick's.
+// Returns the pose of p_field for a camera that is drawn between two ticks: its planes and its place are those of the last tick.
 Eigen::Affine3d seen_from(Camera3D *p_camera, const Eigen::Affine3d &p_field) {
 	const Transform3D told = p_camera->get_global_transform(), drawn = p_camera->get_global_transform_interpolated();
 	if (told == drawn || !drawn.is_finite()) {

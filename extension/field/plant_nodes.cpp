@@ -134,7 +134,7 @@ bool PlantNodes::update(StandingField &r_standing, const FieldProperties &p_prop
 	return true;
 }
 
-// The node's own scale does not count: what is below the holder stands as the grass does. Returns false if it cannot.
+// Cancels the node's own scale, so that everything below the holder has the grass's. Returns false if it cannot.
 bool PlantNodes::follow_scale() {
 	const Transform3D global = _host.node().get_global_transform();
 	if (!global.is_finite() || global.basis.determinant() == 0.0) {

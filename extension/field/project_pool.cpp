@@ -15,8 +15,8 @@ using namespace godot;
 namespace grass {
 
 void register_project_pool() {
-	// Usually 1,024 to 16,384; a tile takes some 32 KB of the graphics card or of main memory while it is awake. Too few: grass stands
-	// still under bodies far from the cameras.
+	// Usually 1,024 to 16,384; a tile takes some 32 KB of the graphics card or of main memory while it is awake. Too few: grass does
+	// not bend under bodies far from the cameras.
 	const String hint = vformat("0,%d,1", int64_t(PoolBudget::MOST_TILES));
 	add_project_setting(POOL_SETTING, int64_t(TileParams().pool_size), PROPERTY_HINT_RANGE, hint);
 }

@@ -181,7 +181,7 @@ private:
 	PoolMix _mix;
 	godot::Ref<godot::Texture2DRD> _before; // null: nothing reads them
 	int _used_rows = 0; // of the pool's texture
-	uint64_t _energy_batch = UINT64_MAX; // in which the energies were asked for last
+	uint64_t _energy_batch = UINT64_MAX; // in which the energies were last requested
 	bool _has_kept = false; // since the last frame
 	bool _has_moved = false; // whether blades have, since the copy was made
 	KnotReader _reader;

@@ -9,7 +9,7 @@ class Stopwatch {
 public:
 	enum Pass { SIMULATE, CULL };
 
-	// p_owner: who asks read_gpu_times() for it.
+	// p_owner: the object that passes itself to read_gpu_times().
 	Stopwatch(bool p_measure, Pass p_pass, const void *p_owner);
 	~Stopwatch();
 

@@ -37,8 +37,8 @@ public:
 	// Reads a buffer without a stall; render thread only. p_receiver runs on the render thread, about two frames later. Returns false, and
 	// reads nothing, if the reads under way take too much already: try again in a later batch.
 	bool read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);
-	// Returns the number of the batch: of what the device carries out together, a drawn frame or some ticks without one. What is asked for
-	// per tick and answered per frame should be asked for once in each. Render thread only.
+	// Returns the number of the batch, which the device carries out as a whole: a drawn frame, or some ticks without one. Ticks whose
+	// results arrive by frame should request them once in each batch. Render thread only.
 	uint64_t get_batch() const { return _batch; }
 	// Returns how often the device carried out a batch without a frame; any thread.
 	int64_t get_undrawn_batches() const { return _undrawn_batches; }

@@ -63,7 +63,7 @@ public:
 private:
 	// Runs p_ask, which calls methods of the terrain. The field makes no other calls to the terrain until this returns.
 	template <typename F> bool ask(F &&p_ask) {
-		const bool was_asking = std::exchange(_is_asking, true); // such a method may tell of a change, for which another one is asked
+		const bool was_asking = std::exchange(_is_asking, true); // such a method may report a change, which calls another one
 		if (!outlives(_node, p_ask)) {
 			return false;
 		}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The HTerrain of another addon as a terrain that is asked.
+// The HTerrain of another addon as a TerrainSource.
 #pragma once
 
 #include "ground/terrain_source.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A terrain of another addon, or of a game, that is asked by the names of its methods: docs/guide/terrain.md. One class for each way of
-// asking; terrain_sources.cpp and h_terrain_source.cpp have them. Nothing here knows fields.
+// A terrain of another addon, or of a game, whose methods are called by their names: docs/guide/terrain.md. Each kind of terrain has a
+// class in terrain_sources.cpp or h_terrain_source.cpp. No code here depends on fields.
 #pragma once
 
 #include "core/fill/terrain_piece.h"
@@ -70,7 +70,7 @@ public:
 
 protected:
 	static constexpr double NO_GROUND = std::numeric_limits<double>::quiet_NaN();
-	// Places that are asked at once where that costs some calls by itself. More: a slow terrain holds a frame for longer. Fewer: more
+	// Places that one query combines where a query costs several calls. More: a slow terrain holds a frame for longer. Fewer: more
 	// calls.
 	static constexpr size_t PLACES_AT_ONCE = 16;
 

@@ -31,7 +31,6 @@ void FieldApi::bind() {
 	bind_properties();
 	bind_queries();
 	bind_deeds();
-	bind_old_names();
 	bind_signals();
 	bind_constants();
 }
@@ -175,19 +174,6 @@ void FieldApi::bind_deeds() {
 	record.bind<"stop_record", &FieldRecord::stop_record>();
 	record.bind<"get_record_state", &FieldRecord::get_record_state>();
 	settings.bind<"set_hook_parameter", &FieldSettings::set_hook_parameter>({ "name", "value" });
-}
-
-// Names of 0.9.0, which its scenes and scripts use. The editor and new files do not show them; the class reference calls them deprecated.
-void FieldApi::bind_old_names() {
-	queries.bind<"density_at", &FieldQueries::get_density_at>({ "global_position" });
-	queries.bind<"height_at", &FieldQueries::get_height_at>({ "global_position" });
-	queries.bind<"bend_at", &FieldQueries::get_bend_at>({ "global_position" });
-	queries.bind<"get_tiles", &FieldQueries::get_grid_size>();
-	const auto hidden = [](Variant::Type p_type, const char *p_name) {
-		return PropertyInfo(p_type, p_name, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_NONE);
-	};
-	ADD_PROPERTY(hidden(Variant::BOOL, "ground"), "set_soil_enabled", "is_soil_enabled");
-	ClassDB::add_property("GrassField", hidden(Variant::FLOAT, "max_speed"), "_set_param", "_get_param", PARAM_SWING_SPEED_MAX);
 }
 
 void FieldApi::bind_signals() {

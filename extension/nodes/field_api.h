@@ -14,7 +14,6 @@ private:
 	static void bind_look();
 	static void bind_queries();
 	static void bind_deeds();
-	static void bind_old_names();
 	static void bind_signals();
 	static void bind_constants();
 	static const godot::StringName &get_class_static() { return GrassField::get_class_static(); } // for the engine's macros

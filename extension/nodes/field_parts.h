@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a GrassField consists of. A part knows those above it that it uses, and the node as its host.
+// The parts of a GrassField. A part refers to those above it that it uses, and to the node as its host.
 #pragma once
 
 #include "field/field_forces.h"

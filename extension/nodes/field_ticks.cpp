@@ -170,12 +170,7 @@ bool FieldTicks::update_plants() {
 		return true;
 	}
 	update_map();
-	CpuClock clock;
-	if (!_parts.plants.update(_parts.standing, _parts.properties, _parts.bodies.get_tracker())) {
-		return false;
-	}
-	_plants_ms = clock.lap();
-	return true;
+	return _parts.plants.update(_parts.standing, _parts.properties, _parts.bodies.get_tracker());
 }
 
 void FieldTicks::update_map() {
@@ -276,7 +271,6 @@ void FieldTicks::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.forces = int64_t(_parts.forces.get().size());
 	r_statistics.forces_left_out = _parts.forces.get_left_out();
 	r_statistics.gather_ms = _gather_ms;
-	r_statistics.plants_ms = _plants_ms;
 }
 
 } // namespace grass

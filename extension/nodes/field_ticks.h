@@ -72,7 +72,7 @@ private:
 	uint64_t _moved_in = UINT64_MAX; // the physics tick in which a step last moved blades; none if they are drawn without interpolation
 	int64_t _visited = 0;
 	BodyReads _shared_reads;
-	double _gather_ms = 0.0, _plants_ms = 0.0; // CPU time in the last tick
+	double _gather_ms = 0.0; // CPU time of reading bodies in the last tick
 };
 
 } // namespace grass

@@ -54,7 +54,7 @@ public:
 	void set_simulated(bool p_simulated);
 	bool is_simulated() const { return _parts.properties.simulated; }
 
-	// For a world. Streamed fields must be told before they enter the tree, and what they are joined with: a field of the same blades.
+	// For a world, before the field enters the tree. p_other: a field of the same blades.
 	void set_streamed() { _parts.properties.is_streamed = true; }
 	void join(const GrassField &p_other) { _parts.standing.join(p_other._parts.standing); }
 	// Sets the centre's place in the noise, metres. A field outside a world is at (0, 0).

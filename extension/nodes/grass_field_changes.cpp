@@ -158,30 +158,21 @@ void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, 
 }
 
 bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
-	const bool is_hooks = FieldHook::is_property(p_name);
-	if (!is_hooks && !FieldSpecies::is_species_property(p_name)) {
+	if (!FieldHook::is_property(p_name)) {
 		return false;
 	}
 	GRASS_MAIN_THREAD_ONLY_V(true);
-	if (is_hooks) {
-		_parts.properties.hook.set_property(p_name, p_value);
-		_parts.properties.hook.hand_on(_parts.standing.get_picture().setter());
-		return true;
-	}
-	const Ref<GrassSpecies> own = _parts.properties.species.find_own(callable_mp(this, &GrassField::_species_changed));
-	if (own.is_valid() && outlives(*this, [&] { own.ptr()->set(p_name, p_value); }) && outlives(*this, [&] { _species_changed(); })) {
-		notify_property_list_changed();
-	}
+	_parts.properties.hook.set_property(p_name, p_value);
+	_parts.properties.hook.hand_on(_parts.standing.get_picture().setter());
 	return true;
 }
 
 bool GrassField::_get(const StringName &p_name, Variant &r_value) const {
-	const bool is_species = FieldSpecies::is_species_property(p_name);
-	if (!is_species && !FieldHook::is_property(p_name)) {
+	if (!FieldHook::is_property(p_name)) {
 		return false;
 	}
 	GRASS_MAIN_THREAD_ONLY_V(false);
-	r_value = is_species ? _parts.properties.species.find_used().front()->get(p_name) : _parts.properties.hook.get_property(p_name);
+	r_value = _parts.properties.hook.get_property(p_name);
 	return true;
 }
 

@@ -50,8 +50,8 @@ public:
 	void clear(BodyColliders &r_colliders); // for ground
 	// Returns whether one is to be warned of once it moves.
 	bool is_odd() const;
-	// Reads what changed of shapes and friction. Returns whether they must be read in the next tick too: a shape that changed goes on
-	// changing.
+	// Reads changes of shapes and friction. Returns whether they must be read in the next tick too, since a shape often changes in several
+	// ticks running.
 	bool look(const ServerBody &p_body, BodyColliders &r_colliders, const BodyTick &p_tick);
 	void look_at_all_soon() { _next_look_at_all = 0; }
 	// Updates the scale of the body itself, which its pose contains in every tick.

@@ -25,7 +25,7 @@ bool is_engines_own_server() {
 	return is_own;
 }
 
-// Returns how many blades stand in the strip over which a collider moved in the tick, if it was low enough to touch them.
+// Returns the number of blades in the strip over which a collider moved in the tick, if it was low enough to touch them.
 double blades_below(const Field &p_field, const LayersAt &p_layers, const ColliderShape &p_collider) {
 	ColliderShape still = p_collider;
 	still.before = still.now;
@@ -35,7 +35,7 @@ double blades_below(const Field &p_field, const LayersAt &p_layers, const Collid
 	const MapLayers *layers = p_layers(place);
 	const Canopy canopy = canopy_at(p_field, place, layers);
 	const bool touches = canopy.height > 0.0 && bounds.max.y() > canopy.ground &&
-			bounds.min.y() < canopy.ground + height_at(p_field, place, layers); // what it bends itself stands as high for it
+			bounds.min.y() < canopy.ground + height_at(p_field, place, layers); // as high as before the collider bent it
 	return touches ? canopy.blades * (std::abs(way.x()) * size.z() + std::abs(way.z()) * size.x()) : 0.0;
 }
 

@@ -21,7 +21,7 @@ namespace {
 // Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
 constexpr double BLADE_FRICTION = 0.5;
 
-// Returns whether a body of such a node stands in the grass even while a game holds it still: frozen, disabled, or made static.
+// Returns whether a body of such a node bends grass even while a game holds it still: frozen, disabled, or made static.
 bool is_made_to_move(const Object *p_node) {
 	return Object::cast_to<RigidBody3D>(p_node) != nullptr || Object::cast_to<CharacterBody3D>(p_node) != nullptr ||
 			Object::cast_to<AnimatableBody3D>(p_node) != nullptr;

@@ -37,14 +37,14 @@ public:
 	// report.
 	bool find(BodyReads &r_reads);
 	bool is_found() const { return _state_id != 0; }
-	// Returns the object whose transform tells when it moves.
+	// Returns the object whose transform changes when the body moves.
 	uint64_t get_mover() const { return _node != nullptr ? _instance_id : _state_id; }
 	bool has_leader() const { return _node != nullptr; }
 
 	// Reads of what kind it is. p_has_moved: it was not ground before.
 	void look(bool p_has_moved, BodyReads &r_reads);
-	// Returns where it is in this tick. A node that a script moves tells the server after the field's tick, and the server moves the body
-	// later still: the body that is drawn is where its node is.
+	// Returns the body's pose in this tick. A node that a script moves updates the server after the field's tick, and the server moves the
+	// body later still: the picture shows the body at its node.
 	godot::Transform3D find_place(BodyReads &r_reads) const;
 	godot::Vector3 find_server_place(BodyReads &r_reads) const; // to which its velocity led; its node may be a tick ahead
 	// Return velocities in the world, metres or radians per second. The server's velocity of a body that is put follows from its places,
@@ -52,7 +52,7 @@ public:
 	Eigen::Vector3d find_server_velocity(BodyReads &r_reads) const;
 	Eigen::Vector3d find_turning(BodyReads &r_reads) const;
 	// Returns the velocity that moves it; zero if unknown. p_motion: its motion in this tick, to choose between the velocity that a
-	// character wanted and the one that was possible.
+	// character intended and the one that was possible.
 	Eigen::Vector3d find_own_velocity(const Eigen::Vector3d &p_motion, BodyReads &r_reads) const;
 	// Returns the friction of blades along it.
 	double find_friction(BodyReads &r_reads) const;

@@ -29,8 +29,8 @@ struct Current {
 	bool is_known = false;
 	GrassQuality::Level level = GrassQuality::LEVEL_HIGH;
 	Ref<GrassQuality> custom;
-	Ref<GrassQuality> shown; // get_current(); null: nobody has asked for it
-	GrassQuality::Level shown_level = GrassQuality::LEVEL_HIGH; // that it was last told of
+	Ref<GrassQuality> shown; // get_current(); null: nobody has called it
+	GrassQuality::Level shown_level = GrassQuality::LEVEL_HIGH; // the last one that it was set to
 };
 
 Current &current() {
@@ -99,7 +99,7 @@ const Quality &current_quality() {
 	return quality;
 }
 
-// Changes what is in force, and tells who listens to get_current().
+// Changes the factors in force, and emits `changed` of get_current().
 // NOLINTNEXTLINE(performance-unnecessary-value-param): it may be the reference that is in force
 void GrassQuality::take(Level p_level, Ref<GrassQuality> p_custom) {
 	Current &now = known();

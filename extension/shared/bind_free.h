@@ -17,7 +17,7 @@ public:
 	}
 };
 
-// The method of the class that stands for a function of type F.
+// The method that the class gets for a function of type F.
 template <auto FUNCTION, typename F = decltype(FUNCTION)> struct FreeCall;
 template <auto FUNCTION, typename Class, typename R, typename... A> struct FreeCall<FUNCTION, R (*)(Class &, A...)> {
 	static constexpr R (Class::*METHOD)(A...) = &CallsFree<Class>::template call_free<FUNCTION, R, A...>;

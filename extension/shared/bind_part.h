@@ -65,7 +65,7 @@ private:
 	}
 };
 
-// The methods of the node that stand for a method of type F of a part.
+// The methods that the node gets for a method of type F of a part.
 template <typename Node, MethodName NAME, typename Method, typename F> struct PartCall;
 template <typename Node, MethodName NAME, typename Method, typename Part, typename R, typename... A>
 struct PartCall<Node, NAME, Method, R (Part::*)(A...)> {

@@ -11,8 +11,9 @@ namespace grass {
 // Texels along a side. What reads a picture takes up to 16 bytes a texel for a moment: 1 GB.
 inline constexpr int64_t PICTURE_SIDE_MAX = 8192;
 
-// Returns a copy that is not compressed. Null without a picture, and where r_problem says why it is not read, and what to do: it follows
-// the picture's name in a message. p_picture: as Texture2D.get_image() returns it, which may be the texture's own, and null.
+// Returns a copy that is not compressed. Returns null without a picture, or if it cannot be read: then r_problem gives the cause and the
+// remedy, worded to follow the picture's name in a message. p_picture: as Texture2D.get_image() returns it, which may be the
+// texture's own, and null.
 godot::Ref<godot::Image> read_picture(const godot::Ref<godot::Image> &p_picture, godot::String &r_problem);
 
 // Returns the mean colour of the texels with an alpha of p_scissor and more, linear; alpha: their share, 0..1. Looks at p_steps texels

@@ -44,7 +44,7 @@ public:
 
 	// Adds a box, and returns its index.
 	int add(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, const Listener &p_listener);
-	// p_tells: the listener is still told who leaves the box, even if nobody else uses the area.
+	// p_tells: the listener still hears which bodies leave the box, even if nobody else uses the area.
 	void remove(int p_box, bool p_tells);
 	// Moves the only box. Others do not join it any more.
 	void move(int p_box, const godot::Transform3D &p_transform);
@@ -60,7 +60,7 @@ private:
 		godot::Transform3D local; // in the area
 		godot::Vector3 half_extents;
 		Listener listener;
-		bool is_used = true, is_told = false; // the listener of one that is no longer used is told who leaves
+		bool is_used = true, is_told = false; // is_told: the listener of a box that is no longer used hears which bodies leave
 		int64_t overlaps = 0; // that the server has reported
 	};
 
@@ -74,7 +74,7 @@ private:
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_area_shape, int64_t p_box);
 
 	uint64_t _id = 0;
-	godot::Ref<SharedArea> _self; // while it has to tell
+	godot::Ref<SharedArea> _self; // keeps the area alive while it has bodies to report
 	Kind _kind;
 	godot::RID _area;
 	godot::Transform3D _place;

@@ -29,7 +29,7 @@ void WatchedBox::join(const Ref<SharedArea> &p_area) {
 	_box = _area->add(_transform, _half_extents, _listener);
 }
 
-// Whoever is in the box is told to leave only if it joins another area, which reports who enters.
+// Listeners hear that a body leaves only if the box joins another area, which reports the bodies in it anew.
 void WatchedBox::leave(bool p_tells) {
 	if (_area.is_valid()) {
 		_area->remove(_box, p_tells);

@@ -61,7 +61,7 @@ public:
 	int64_t get_made() const { return _made; } // since start()
 
 private:
-	// The most fields from which the place is asked, one after the other, if scripts of the scene free them.
+	// The most fields that are made to find the place, one after the other, if scripts of the scene free them.
 	static constexpr int MOST_FIRST = 3;
 
 	GrassField *make(); // null: a script of the scene has freed the world

@@ -23,6 +23,14 @@ func add_field(properties := {}) -> GrassField:
 	return field
 
 
+## The list of one species with these properties, for a field.
+static func kind(properties: Dictionary) -> Array[GrassSpecies]:
+	var species := GrassSpecies.new()
+	for property: String in properties:
+		species.set(property, properties[property])
+	return [species]
+
+
 ## Waits until the driver has compiled all passes of fields, so that tests may count ticks: until then grass does not bend. Returns data of
 ## the first field of the process: in the last tick that was certainly before its pass was ready, if there is one, and the steps after.
 static func warm_up(to: Node) -> Dictionary:

@@ -157,7 +157,7 @@ func check(field: GrassField, what: String) -> void:
 
 func fuzz(seed_: int, rounds: int) -> void:
 	rng.seed = seed_
-	var field := add_field({size = Vector2(SIDE, SIDE), pool_tiles = 16, patch = own_patch()})
+	var field := add_field({size = Vector2(SIDE, SIDE), pool_tiles = 16, species = kind({patch = own_patch()})})
 	var balls := add_balls()
 	for i in rounds:
 		change(field, [1, 3, 10, 1000][rng.randi_range(0, 3)])

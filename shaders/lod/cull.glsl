@@ -3,7 +3,7 @@
 // Chooses the tiles to draw and to cast shadows, and the detail of each: one thread a tile, in two dispatches of the same
 // pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of the list of drawn tiles, and
 // writes the tiles there and the number of instances of each surface. A tile that one camera sees is drawn for all of them, as finely as
-// the nearest one needs it.
+// the nearest one needs it. Twin of core/lod/cull.h.
 // Fields of more tiles than a MultiMesh has room for take two more dispatches in between, which do nothing unless so many
 // are chosen: GRASS_CULL_TURNS counts the tiles of each turn; GRASS_CULL_FIT (one workgroup) decides which ranks have room.
 // GRASS_CULL_BEGIN puts all instances of new MultiMeshes at the field's place, where they stay.
@@ -14,7 +14,6 @@
 #include "base/hash.inc"
 #include "base/rows.inc"
 #include "lod/lod.inc"
-#include "lod/levels.inc"
 
 layout(local_size_x = GRASS_CULL_GROUP) in;
 

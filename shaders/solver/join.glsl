@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Poses blades as the simulated ones of their tile: those that join them since a camera has come nearer, and those that follow them in
 // each step. One workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step. Twin of
-// core/solver/join.cpp.
+// core/solver/join.h.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 
@@ -10,7 +10,6 @@
 #include "base/structs.inc"
 #include "base/hash.inc"
 #include "blades/clump.inc"
-#include "blades/blade.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
@@ -46,9 +45,6 @@ layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly
 GrassSlot slot; // of this workgroup's tile
 shared vec2 places[GRASS_BLADES_PER_TILE + 1]; // of the blades' roots in the tile, shares of its side
 
-#include "solver/state.inc"
-#include "solver/rest.inc"
-#include "solver/pool.inc"
 #include "strain/leave.inc"
 
 void find_blade(uint p_number) {

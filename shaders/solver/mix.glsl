@@ -1,6 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Mixes the offsets of the last two steps for a frame between two ticks: one thread a texel. Runs only if the engine interpolates physics.
+// Twin of core/field/pool_texels.h.
 #extension GL_GOOGLE_include_directive : require
 
 #include "base/constants.inc"

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes one that is not. A workgroup has
-// one tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.cpp.
+// one tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.h.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
@@ -22,7 +22,6 @@
 #include "base/hash.inc"
 #include "blades/clump.inc"
 #include "blades/blade.inc"
-#include "blades/force.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 // Unsigned: Godot's translator for Direct3D 12 has no specialization constants of type int.
@@ -134,11 +133,7 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 
 GrassSlot slot; // of this thread's tile
 
-#include "solver/state.inc"
-
 #include "solver/air.inc"
-#include "solver/rest.inc"
-#include "solver/pool.inc"
 #include "solver/report.inc"
 
 // The direction of the blade's width at the root.
@@ -147,7 +142,6 @@ vec3 width_at_root() {
 	return vec3(cos(azimuth), 0.0, sin(azimuth));
 }
 
-#include "solver/pack.inc"
 #include "solver/work.inc"
 
 #include "base/lanes.inc"
@@ -156,30 +150,19 @@ vec3 width_at_root() {
 #include "bodies/constants.inc"
 #include "solver/constants.inc"
 #include "bodies/collider.inc"
-#include "solver/leaves.inc"
 #include "solver/edge.inc"
 
-#include "solver/share.inc"
-#include "solver/shape.inc"
 #include "solver/near.inc"
-#include "solver/touch.inc"
-#include "solver/joint.inc"
 #include "solver/beyond.inc"
-#include "solver/pairs.inc"
-#include "solver/touches.inc"
 #include "solver/contact.inc"
 #include "solver/chain.inc"
-#include "solver/free.inc"
-#include "solver/ends.inc"
 #ifndef GRASS_FREE
 #include "solver/plan.inc"
 #endif
 #include "solver/finish.inc"
-#include "solver/direct.inc"
 #include "solver/solve.inc"
 #define GRASS_ROLLED(m_count) ROLLED(m_count)
 #include "strain/leave.inc"
-
 
 // [Eq W6] The effect of forces on the blade. Called in one place: each copy costs registers.
 void find_air_load() {
@@ -245,6 +228,9 @@ void step_tiles(uvec4 p_group) {
 			find_blade(blade_of[thread] % lanes);
 		}
 		find_air_load();
+		if ((pool_half[slot.tile.w] & HAS_STRAINS) != 0u) {
+			leave_strains();
+		}
 		load_rest((slot.list.w & GRASS_SLOT_FRESH) != 0u);
 	}
 	if (step.contact.x >= 1.0) { // else no time passes

@@ -1,7 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Chooses the plants of one species that are drawn with a mesh, near the cameras, and writes an instance for each. One workgroup for each
-// tile of the squares around the cameras, one thread a blade. Reads the same buffers as cull.glsl, and runs after it.
+// tile of the squares around the cameras, one thread a blade. Reads the same buffers as cull.glsl, and runs after it. Twin of
+// core/lod/plant_cull.h.
 #pragma variant GRASS_MAP // for fields with a map, on which species may be painted
 #extension GL_GOOGLE_include_directive : require
 
@@ -180,7 +181,7 @@ void choose() {
 	uint bits = grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0));
 	bool is_painted;
 	float apart;
-	int species = species_of(tile, root, bits, blade, int(start), is_painted, apart);
+	int species = choose_species(tile, root, bits, blade, int(start), is_painted, apart);
 	if (blade == 0u) {
 		plants_of_tile = 0u;
 	}

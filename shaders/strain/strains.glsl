@@ -11,7 +11,6 @@
 #include "base/hash.inc"
 #include "blades/clump.inc"
 #include "blades/blade.inc"
-#include "blades/force.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
@@ -63,15 +62,11 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 
 GrassSlot slot; // of this thread's tile
 
-#include "solver/state.inc"
 #include "solver/air.inc"
-#include "solver/rest.inc"
-#include "solver/pool.inc"
 #include "solver/report.inc"
 
 #include "base/lanes.inc"
 #include "base/vector.inc"
-#include "base/matrix.inc"
 #include "bodies/constants.inc"
 #include "solver/constants.inc"
 #define GRASS_ROLLED(m_count) (m_count + int(step.field.w) - GRASS_KNOTS) // as KNOT_COUNT of simulate

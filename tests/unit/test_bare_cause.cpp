@@ -72,6 +72,8 @@ TEST_CASE("bare cause: a hand, wear, a low height and a cut are told apart from 
 	CHECK(cause_at(map, &rule, {}, 10.5, 0.5).kind == BareKind::PAINTED);
 	set(MAP_WEAR, 0, 30, 255);
 	CHECK(cause_at(map, &rule, {}, 15.5, 0.5).kind == BareKind::WORN);
+	set(MAP_WEAR, 0, 40, 128);
+	CHECK(cause_at(map, &rule, {}, 20.5, 0.5).share == doctest::Approx(0.75).epsilon(0.01)); // half worn, as the drawing thins it out
 	set(MAP_HEIGHT, 0, 25, 25);
 	CHECK(cause_at(map, &rule, {}, 26.0, 1.0).kind == BareKind::SHORT);
 	set(MAP_CUT, 0, 80, 5);
@@ -81,4 +83,8 @@ TEST_CASE("bare cause: a hand, wear, a low height and a cut are told apart from 
 	CHECK(cut.share == doctest::Approx(0.1));
 	set(MAP_DENSITY, 0, 100, 0); // neither a hand nor the rule
 	CHECK(cause_at(map, &rule, {}, 50.5, 0.5).kind == BareKind::MAP);
+	set(MAP_DENSITY, 0, 110, 235); // nearly what the rule writes, but not a blend with neighbours
+	CHECK(cause_at(map, &rule, {}, 55.5, 0.5).kind == BareKind::MAP);
+	set(MAP_DENSITY, 0, 120, 252);
+	CHECK(cause_at(map, &rule, {}, 60.5, 0.5).kind == BareKind::RULE);
 }

@@ -69,6 +69,20 @@ TEST_CASE("canopy: grass hides what its blades hide, looked through from the sid
 	}
 }
 
+TEST_CASE("canopy: blades that lean to all sides hide some of each view, those that are all upright nothing from above [Eq V1]") {
+	constexpr double HEIGHT = 0.5, BLADES = 200.0, AREA = 0.002;
+	const auto across = [&](const Eigen::Vector3d &p_along, const Eigen::Vector3d &p_line) { // the mean sine between blades and the line
+		const Canopy canopy{ 0.0, HEIGHT, BLADES, AREA, p_along };
+		return canopy_density(canopy, p_line) * HEIGHT / (2.0 / std::numbers::pi * BLADES * AREA);
+	};
+	const Eigen::Vector3d up(0, 1, 0), side(1, 0, 0);
+	CHECK(across(up, up) == doctest::Approx(0.0));
+	CHECK(across(up, side) == doctest::Approx(1.0));
+	CHECK(across({ 0, 0, 0 }, up) == doctest::Approx(std::sqrt(2.0 / 3.0))); // of directions that are all alike
+	CHECK(across({ 0, 0, 0 }, side) == doctest::Approx(std::sqrt(2.0 / 3.0)));
+	CHECK(across({ 0, 0.5, 0 }, up) == doctest::Approx(std::sqrt(0.5)));
+}
+
 TEST_CASE("canopy: hidden is what the line's way through the grass makes it, in any direction [Eq V2]") {
 	const CanopyScene scene;
 	const Canopy canopy = canopy_at(scene.field, { 0.0f, 0.0f }, nullptr);

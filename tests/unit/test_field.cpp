@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whole ticks without an engine: bodies in, blades out.
 #include "field_scene.h"
+#include "species_scene.h"
 
 #include "core/field/canopy.h"
 #include "core/field/grass_at.h"
@@ -225,6 +226,26 @@ TEST_CASE("grass at a place: all of it without a map, and what is painted with o
 	CHECK(density_at(place, &map) == 0.0);
 	CHECK(height_at(scene.field, place, &map) == 0.0);
 	CHECK(kind_of(scene.field).per_area == 64.0);
+}
+
+TEST_CASE("grass at a place: where species grow in stands, work finds the height of those that grow there") {
+	FieldSetup setup = make_setup();
+	const SpeciesParams stands[] = { { 0.5, 4.0, 1.0 }, { 0.5, 4.0, 1.0 } };
+	setup.species = std::make_shared<const SpeciesMix>(stands, setup.grid, 1);
+	setup.patch = two_patches();
+	const std::shared_ptr<const Patch> low = make_patch(0.4), high = make_patch(0.8, 7);
+	Field field;
+	field.set(setup, field.bounds_of(setup), nullptr, { low, high }, FieldParams());
+	const GrassKind kind = kind_of(field);
+	REQUIRE(kind.height_at);
+	int lowest = 0, highest = 0;
+	for (double x = -7.5; x < 8.0; x += 0.5) {
+		const double height = kind.height_at({ x, 0.9 * x });
+		lowest += height < 1.05 * double(low->mean_height) ? 1 : 0;
+		highest += height > 0.95 * double(high->mean_height) ? 1 : 0;
+	}
+	CHECK(lowest > 3);
+	CHECK(highest > 3);
 }
 
 TEST_CASE("visitors: a body is listed once when it comes and once when it goes, however many shapes it has") {

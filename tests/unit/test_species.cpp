@@ -21,7 +21,7 @@ Eigen::Vector2f root_of(int p_blade) {
 
 int choose(const SpeciesMix &p_mix, int p_x, int p_z, int p_blade, const MapLayers *p_layers = nullptr, uint32_t p_seed = 0) {
 	const int start = int(grass_tile_start(uint32_t(p_x), uint32_t(p_z), p_seed));
-	return p_mix.choose(p_x, p_z, p_blade, root_of(start + p_blade), p_layers);
+	return p_mix.choose_species(p_x, p_z, p_blade, root_of(start + p_blade), p_layers);
 }
 
 // Shares of the species among all blades of the field.
@@ -125,7 +125,7 @@ TEST_CASE("species: the shares around a place say how often its blades are which
 				for (size_t s = 0; s < 3; s++) {
 					expected[s] += double(shares[s]) / (36 * 64);
 				}
-				found[size_t(mix.choose(x, z, b, root, nullptr))] += 1.0 / (36 * 64);
+				found[size_t(mix.choose_species(x, z, b, root, nullptr))] += 1.0 / (36 * 64);
 			}
 		}
 	}
@@ -152,11 +152,11 @@ TEST_CASE("species: stands that end softly keep their shares, fray a little, and
 				const Eigen::Vector2f root = root_of(start + b);
 				const SpeciesMix::RootOf place = [&](int) { return root; };
 				float height = 0.0f, flat = 0.0f, upright = 0.0f;
-				const int species = soft.choose(x, z, b, place, nullptr, &height);
-				moved += species != sharp.choose(x, z, b, place, nullptr, &flat);
+				const int species = soft.choose_species(x, z, b, place, nullptr, &height);
+				moved += species != sharp.choose_species(x, z, b, place, nullptr, &flat);
 				all++;
 				CHECK(flat == 1.0f);
-				CHECK(mesh.choose(x, z, b, place, nullptr, &upright) == species);
+				CHECK(mesh.choose_species(x, z, b, place, nullptr, &upright) == species);
 				CHECK(upright == 1.0f);
 				CHECK(height <= 1.0f);
 				lowest = std::min(lowest, height);
@@ -228,7 +228,7 @@ TEST_CASE("species: a painted border lies where it was painted, on tiles of any 
 					const int start = int(grass_tile_start(uint32_t(x), uint32_t(z), 0));
 					const Eigen::Vector2f root = root_of(start + b);
 					const double place = (x + double(root.x()) - 0.5 * grid.get_tiles_x()) * grid.get_tile_size();
-					const int species = mix.choose(x, z, b, root, &layers);
+					const int species = mix.choose_species(x, z, b, root, &layers);
 					if (std::abs(place - 3.0) > 0.51) {
 						CHECK(species == (place < 3.0 ? 1 : 0));
 					} else {
@@ -272,9 +272,9 @@ TEST_CASE("species: the stems of a plant are one species, in the share that was 
 				const double distance = 0.5 * std::hypot(x + 0.5 - 80.0, z + 0.5 - 80.0);
 				std::array<int, 3> stems{}; // without paint, with their own, with the other's
 				for (int b = first; b < first + 8; b++) {
-					stems[0] += mix.choose(x, z, b, root_of, nullptr);
-					stems[1] += mix.choose(x, z, b, root_of, &layers);
-					stems[2] += mix.choose(x, z, b, root_of, &grass);
+					stems[0] += mix.choose_species(x, z, b, root_of, nullptr);
+					stems[1] += mix.choose_species(x, z, b, root_of, &layers);
+					stems[2] += mix.choose_species(x, z, b, root_of, &grass);
 				}
 				for (const int count : { stems[0], stems[1] }) {
 					CHECK((count == 0 || count == 8));

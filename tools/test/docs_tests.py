@@ -16,7 +16,7 @@ from tools.pages import links, machines_page, rules_page, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.release import store
 from tools.run import engine
-from tools.test import class_sizes, members, one_text, rooms
+from tools.test import class_sizes, members, one_text, rooms, shader_names, twins
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -166,6 +166,8 @@ def run(only, layers):
 
 CHECKED_PAGES = {
 	"docs/rooms": rooms.wrong,
+	"docs/names in shaders": shader_names.wrong,
+	"docs/twins": twins.wrong,
 	"docs/class sizes": class_sizes.wrong,
 	"docs/members": members.wrong,
 	"docs/guide has no equation": wrong_guide,

@@ -21,17 +21,17 @@ def tables():
 		yield {room: set(re.findall(r"`(\w+)/`", cell)) for room, cell in ROW.findall(block)}
 
 
-def includes(folder, skipped=()):
-	"""The other rooms of `folder` that the C++ sources in each room include."""
+def includes(folder, root, kinds, skipped=()):
+	"""The other rooms of `folder` that the sources of these kinds in each room include, by a path from `root` or from themselves."""
 	found = {}
-	for path in sorted(path for kind in ("h", "cpp") for path in folder.rglob(f"*.{kind}")):
+	for path in sorted(path for kind in kinds for path in folder.rglob(f"*.{kind}")):
 		room = path.relative_to(folder).parts[0]
 		if path.parent == folder or room in skipped:
 			continue
 		targets = found.setdefault(room, set())
 		for name in INCLUDE.findall(path.read_text()):
-			for root in (ROOT / "extension", path.parent):
-				target = (root / name).resolve()
+			for place in (root, path.parent):
+				target = (place / name).resolve()
 				if target.is_file() and folder in target.parents:
 					targets.add(target.relative_to(folder).parts[0])
 	return {room: targets - {room} for room, targets in found.items()}
@@ -68,8 +68,14 @@ def wrong_rows(told, real):
 
 def wrong():
 	"""What is wrong with the tables, or ""."""
-	rooms = (includes(ROOT / "extension", ("binding", "old_glibc")), includes(ROOT / "extension/core"), imports())
+	extension, shaders = ROOT / "extension", ROOT / "shaders"
+	rooms = (
+		includes(extension, extension, ("h", "cpp"), ("binding", "old_glibc")),
+		includes(extension / "core", extension, ("h", "cpp")),
+		includes(shaders, shaders, ("inc", "gdshaderinc", "gdshader")),  # a pass (glsl) puts together what it needs from any room
+		imports(),
+	)
 	told = list(tables())
 	if len(told) != len(rooms):
-		return f"{len(told)} tables begin with a column `room`, not {len(rooms)}: extension, core, tools"
+		return f"{len(told)} tables begin with a column `room`, not {len(rooms)}: extension, core, shaders, tools"
 	return "; ".join(line for table, real in zip(told, rooms) for line in wrong_rows(table, real))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decides who may do work that could also wait for the next frame. The first to ask might use up the frame's time on every frame, so each
+// Decides who may do work that could also wait for the next frame. The first request might use up the time of every frame, so each
 // frame reserves one piece of work for the user that has waited longest. Every user gets a turn this way, however busy the others are.
 #pragma once
 

@@ -15,7 +15,7 @@ enum class Need { WANTED, PREPARED };
 template <typename Item> class WaitList {
 public:
 	void add(Item p_item, int p_order, Need p_need) { _waiting.push_back({ std::move(p_item), p_order, p_need }); }
-	// From now on it is wanted. Nothing where it does not wait any more.
+	// Marks the item as wanted. Does nothing once it no longer waits.
 	void want(const Item &p_item) {
 		const auto found = std::ranges::find(_waiting, p_item, &Waiting::item);
 		if (found != _waiting.end()) {

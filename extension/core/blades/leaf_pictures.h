@@ -14,7 +14,7 @@ namespace grass {
 
 // Texels of a picture: across the blade, and along it from root to tip.
 inline constexpr int LEAF_ACROSS = GRASS_LEAF_ACROSS, LEAF_ALONG = 128;
-// The factor that a texel of 255 stands for.
+// The factor that a texel of 255 means.
 inline constexpr float LEAF_BRIGHTEST = float(GRASS_LEAF_BRIGHTEST);
 
 // Returns picture p_picture of GRASS_LEAF_PICTURES: RGBA8, linear, LEAF_ALONG rows of LEAF_ACROSS texels. The first half of the pictures

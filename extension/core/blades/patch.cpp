@@ -17,7 +17,7 @@ namespace {
 
 constexpr double TURN = 2.0 * std::numbers::pi;
 
-// The segments of a shorter blade would be too short for the simulation to tell from zero.
+// The segments of a shorter blade would be too short for the simulation to distinguish from zero.
 constexpr double SHORTEST = 0.01; // metres
 
 // Roots follow the R2 sequence (Roberts 2018): any run of consecutive points samples the square evenly. The jitter hides its lattice; it is

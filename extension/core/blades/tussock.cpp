@@ -56,7 +56,7 @@ void gather_roots(Patch &r_patch, int p_first, const Patch &p_even, const Tussoc
 		}
 		const Eigen::Vector2f root = root_in(p_even, blade), middle = middle_near(p_even, blade, root, in_tile);
 		const Eigen::Vector2f offset = GATHERED * (root - middle), lean = lean_of(r_patch, p_first + blade);
-		// Blades hang out of the tussock: each stands on the side to which it leans. Roots stay in their tile.
+		// Blades hang out of the tussock: the root of each is on the side to which it leans. Roots stay in their tile.
 		const Eigen::Vector2f outwards = middle + offset.norm() / std::max(lean.norm(), 1e-6f) * lean;
 		const Eigen::Vector2f place = is_inside(outwards) ? outwards : middle + offset;
 		uint16_t *texel = &r_patch.texels[Patch::texel_index(p_first + blade, 0)];

@@ -112,25 +112,22 @@ void grow_between(TileCollider &r_collider, float p_from, float p_to) {
 
 } // namespace
 
-void find_colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between) {
-	r_between.assign(p_colliders.begin(), p_colliders.end());
-	for (TileCollider &collider : r_between) {
-		const Vec3<float> way = collider.centre - collider.centre_before;
-		const Vec3<float> before = collider.centre_before;
-		const Turn<float> turn_before = collider.turn_before, turn = collider.turn;
-		collider.centre_before = before + way * p_from;
-		collider.turn_before = turn_between(turn_before, turn, p_from);
-		if (p_to < 1.0f) {
-			collider.centre = before + way * p_to;
-			collider.turn = turn_between(turn_before, turn, p_to);
-		}
-		if (collider.grown != 1.0f) {
-			grow_between(collider, p_from, p_to);
-		}
-		collider.spin = collider.spin * (p_to - p_from) * SPIN_MARGIN;
-		const float bound = collider.bound * BOX_MARGIN;
-		collider.box = collider.spin > 0.0f ? Vec3<float>{ bound, bound, bound } : collider.box;
+TileCollider between(const TileCollider &p_collider, float p_from, float p_to) {
+	TileCollider collider = p_collider;
+	const Vec3<float> way = p_collider.centre - p_collider.centre_before;
+	collider.centre_before = p_collider.centre_before + way * p_from;
+	collider.turn_before = turn_between(p_collider.turn_before, p_collider.turn, p_from);
+	if (p_to < 1.0f) {
+		collider.centre = p_collider.centre_before + way * p_to;
+		collider.turn = turn_between(p_collider.turn_before, p_collider.turn, p_to);
 	}
+	if (collider.grown != 1.0f) {
+		grow_between(collider, p_from, p_to);
+	}
+	collider.spin = collider.spin * (p_to - p_from) * SPIN_MARGIN;
+	const float bound = collider.bound * BOX_MARGIN;
+	collider.box = collider.spin > 0.0f ? Vec3<float>{ bound, bound, bound } : collider.box;
+	return collider;
 }
 
 } // namespace grass

@@ -62,14 +62,24 @@ bool is_sharp(const GrassCollider &p_collider, float p_segment);
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
 
-// Sets r_between to the colliders as they move from share p_from to share p_to of the step.
-void find_colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to, std::vector<TileCollider> &r_between);
+// Returns the collider as it moves from share p_from to share p_to of the step.
+TileCollider between(const TileCollider &p_collider, float p_from, float p_to);
 
 #include "core/base/lane_words.h"
 
 #include "bodies/leaves.inc"
 
 #include "core/base/lane_words_end.h"
+
+// [Eq 10] Returns the face of a hull.
+template <class T> GRASS_INLINE Face<T> hull_face(const TileCollider &p_collider, const Vec3<T> &p_point, const Ground<T> &p_ground) {
+	Face<T> face{ { T(0.0f), T(1.0f), T(0.0f) }, T(-2.0f * BLOCKED) };
+	for (const Eigen::Vector4f &plane : p_collider.planes) {
+		const Vec3<T> normal{ T(plane.x()), T(plane.y()), T(plane.z()) };
+		face = outer(face, { normal, dot(normal, p_point) - T(plane.w() * p_collider.scale) }, p_ground);
+	}
+	return face;
+}
 
 // [Eq 10] Returns the face nearest to a point in the shape's own axes.
 template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point, const Ground<T> &p_ground) {
@@ -81,14 +91,8 @@ template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider
 			return box_face(size, p_point, p_ground);
 		case GRASS_CYLINDER:
 			return cylinder_face(size, p_point, p_ground);
-		case GRASS_HULL: {
-			Face<T> face{ { T(0.0f), T(1.0f), T(0.0f) }, T(-2.0f * BLOCKED) };
-			for (const Eigen::Vector4f &plane : p_collider.planes) {
-				const Vec3<T> normal{ T(plane.x()), T(plane.y()), T(plane.z()) };
-				face = outer(face, { normal, dot(normal, p_point) - T(plane.w() * p_collider.scale) }, p_ground);
-			}
-			return face;
-		}
+		case GRASS_HULL:
+			return hull_face(p_collider, p_point, p_ground);
 		default:
 			return sphere_face(size, p_point, p_ground);
 	}
@@ -158,15 +162,6 @@ template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, co
 	const auto is_met = may_meet & (t <= T(1.0f)) & (entry.distance < near) & !is_blocked(met, p_ground) &
 			(find_face(p_collider, p_path.from).distance > -near);
 	return { select(is_met, met.normal, face.normal), select(is_met, met.distance, face.distance) };
-}
-
-// Returns the contact of a knot that moved from p_from to p_to (blade space) while the collider moved from its pose before to its pose now.
-template <class T>
-GRASS_INLINE Correction<T> find_correction(
-		const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to, const T &p_friction) {
-	const Path<T> path = relative_path(p_collider, p_root, p_from, p_to);
-	const Face<T> face = sweep(p_collider, path, ground_under(p_collider, p_to.y));
-	return make_correction(p_collider, face, path.to - path.from, p_friction);
 }
 
 } // namespace grass

@@ -36,7 +36,7 @@ struct BackendStatistics {
 	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, counted in each read
 	int64_t knot_waits = 0; // GPU: times that the main thread waited for knots
 	int64_t knots_age = 0; // GPU, now: steps by which the known knots are late; 0 if nothing queries them
-	int64_t energy_reads = 0; // GPU: times that the energies of all slots were asked for
+	int64_t energy_reads = 0; // GPU: times that the energies of all slots were requested
 	int64_t undrawn_batches = 0; // GPU, of all fields together: times that the device did its work without a frame that is drawn
 	int64_t timed_steps = 0; // times that simulate_ms was measured; GPU: by a frame that has steps
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass

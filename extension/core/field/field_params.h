@@ -23,7 +23,8 @@ struct FieldParams {
 
 	// Returns the time in which a swing dies down, in seconds, for the species that swings longest.
 	double calm_time() const;
-	// [Eq Q11] Returns the speed of air that bends the softest species' blades of p_length (metres) as far as their strains can tell, m/s.
+	// [Eq Q11] Returns the speed of air that bends blades of the softest species, p_length metres long, as far as their strains can
+	// describe, m/s.
 	double alone_air(double p_length) const;
 	// Returns the energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;

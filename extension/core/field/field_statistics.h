@@ -46,7 +46,6 @@ struct FieldStatistics {
 	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field (the longest in one
 	// frame).
 	double gather_ms = 0.0, tiles_ms = 0.0, frame_ms = 0.0, build_ms = 0.0;
-	double plants_ms = 0.0; // of the last tick: looking for plants that get a node, and placing the nodes
 };
 
 } // namespace grass

@@ -220,7 +220,7 @@ void PlantSearch::read(const Field &p_field, int p_x, int p_z, Plants &r_plants)
 		const FieldBlades::Pose pose = blades.get_pose(p_x, p_z, blade);
 		const FieldBlades::Standing standing = blades.get_standing(pose, p_x, p_z, blade, _params.border_fade);
 		if (!(standing.left >= STANDS)) {
-			continue; // maybe another stem stands
+			continue; // maybe another stem does
 		}
 		next = blade - blade % stems + stems;
 		r_plants.push_back({ number_of(_grid.get_index(p_x, p_z), blade), species, p_field.get_root(pose, p_x, p_z), standing.angle,

@@ -24,9 +24,9 @@ struct PlantEye {
 	bool operator==(const PlantEye &) const = default;
 };
 
-// A plant that stands: all stems with one root.
+// A plant that is neither mown nor thinned out: all stems with one root.
 struct StandingScene {
-	BladeNumber blade = 0; // its first stem that stands
+	BladeNumber blade = 0; // its first such stem
 	int species = 0;
 	Eigen::Vector3d root = Eigen::Vector3d::Zero(); // field space, metres
 	float angle = 0.0f, length = 0.0f; // of that stem: FieldBlades::Standing
@@ -35,7 +35,7 @@ struct StandingScene {
 
 class PlantSearch {
 public:
-	// Share of a stem that must stand for its plant to count: neither mown nor thinned out below it.
+	// The share of a stem that must be left, neither mown nor thinned out, for its plant to count.
 	static constexpr float STANDS = 0.5f;
 	// How much farther away a plant with a node may be than one without: shares of the distance, and metres at least.
 	static constexpr double KEEP_SHARE = 0.1, KEEP_LEAST = 0.5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // METHOD_DIRECT: the part of a blade beyond a joint, as the sweep from tip to root models it, and what knots, edges, surfaces and joints
-// add to it. Twin of shaders/solver/beyond.inc.
+// add to it. Twin of shaders/solver/beyond.inc, and of Stage in
+// shaders/solver/state.inc.
 #pragma once
 
 #include "core/base/matrix.h"

@@ -48,69 +48,97 @@ template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Ve
 	return normal * (T(1.0f) / square_root(maximum(dot(normal, normal), T(TINY_SQUARED))));
 }
 
-// [Eq 5] Measures how far every joint is bent and twisted from its shape at rest, [Eq 45] and the axis about which it is stiffer.
+// [Eq 5] Measures how far joint p_joint is bent and twisted from its shape at rest, and [Eq 45] the axis about which it is stiffer. r_face:
+// the normal of the segment before's face, which becomes that of this one's.
+template <class T>
+GRASS_INLINE void measure_joint(
+		const Blade<T> &p_blade, const ChainTerms<T> &p_chain, int p_joint, Turn<T> &r_frame, Vec3<T> &r_face, JointGain<T> &r_gain) {
+	const Vec3<T> wanted = turned(r_frame, rest_segment(p_blade, p_joint));
+	const Vec3<T> e = segment(p_blade, p_joint);
+	const Vec3<T> axis = e * (p_blade.twist[p_joint] / maximum(p_blade.lengths[p_joint], T(1e-12f)));
+	const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
+	r_gain.turn = rotation_vector(turn);
+	r_frame = after(turn, r_frame);
+	const Vec3<T> before = r_face;
+	r_face = face_of(turned(r_frame, p_blade.width), e);
+	r_gain.axis = stiff_axis(before, r_face, p_chain.stiffer * section_at(float(p_joint), p_chain.thins));
+}
+
 template <class T>
 GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
 	Vec3<T> face = face_of(p_blade.width, rest_segment(p_blade, 0));
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
-		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
-		const Vec3<T> e = segment(p_blade, s);
-		const Vec3<T> axis = e * (p_blade.twist[s] / maximum(p_blade.lengths[s], T(1e-12f)));
-		const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
-		r_gains[s].turn = rotation_vector(turn);
-		frame = after(turn, frame);
-		const Vec3<T> before = face;
-		face = face_of(turned(frame, p_blade.width), e);
-		r_gains[s].axis = stiff_axis(before, face, p_chain.stiffer * section_at(float(s), p_chain.thins));
+		measure_joint(p_blade, p_chain, s, frame, face, r_gains[s]);
 	}
 }
 
-// [Eq 30] Performs one solve: from tip to root, then from root to tip. p_active: the lanes whose blades move.
+// [Eq 30] Sweeps from tip to root: r_gains holds what measure_joints() found, and then the gains.
+template <class T>
+GRASS_INLINE Touches<T> sweep_to_root(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
+		const Stage<T> &p_stage, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+	Beyond<T> beyond{};
+	beyond.caution = p_stage.caution;
+	Touch<T> touch{}; // of knot s + 1
+	for (int s = GRASS_SEGMENTS; s >= 1; s--) {
+		const Touch<T> first = s >= GRASS_CLAMPED_KNOTS ? find_touch(p_blade, p_terms, p_stage.base[s], s) : Touch<T>{};
+		if (s == GRASS_SEGMENTS) {
+			touch = first;
+			continue;
+		}
+		const T stiffness = joint_stiffness(p_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
+		add_knot(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
+		carry_to_base(beyond, segment(p_blade, s));
+		add_edge(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
+		touch = first;
+		const Vec3<T> axis = r_gains[s].axis;
+		const Vec3<T> moment = (r_gains[s].turn + axis * dot(axis, r_gains[s].turn)) * stiffness;
+		r_gains[s] = eliminate_joint(beyond, moment, stiffness * (T(1.0f) + beyond.caution), axis);
+	}
+	return beyond.touches;
+}
+
+// The values that the sweep back carries from joint to joint.
+template <class T> struct WayBack {
+	Vec3<T> parent; // the knot before, at its place before the sweep
+	Vec3<T> shift{}; // of that knot, metres
+	Vec3<T> turn{}; // of the segment before, radians
+	T twist = T(0.0f); // of it, about itself
+};
+
+// [Eq 30] Turns the next segment, of p_length, on the way from root to tip, and moves r_knot, its end. p_twist: of its joint; returns the
+// new one.
+template <class T>
+GRASS_INLINE T turn_joint(WayBack<T> &r_back, const T &p_twist, const JointGain<T> &p_gain, const T &p_length, Vec3<T> &r_knot) {
+	const T most_twist = T(MOST_TWIST);
+	const Vec3<T> stiffened = r_back.turn + p_gain.axis * dot(p_gain.axis, r_back.turn);
+	const Vec3<T> by_shift = p_gain.shift.x * r_back.shift.x + p_gain.shift.y * r_back.shift.y + p_gain.shift.z * r_back.shift.z;
+	const Vec3<T> turn = p_gain.turn + product_of(p_gain.spring, stiffened) - by_shift;
+	const Vec3<T> e = r_knot - r_back.parent;
+	// The part of the turn about the segment itself is twist. It is much larger, and would spoil the turn.
+	const T along = dot(turn, e) / maximum(dot(e, e), T(TINY_SQUARED));
+	const T twist = along * p_length;
+	const T twisted = minimum(maximum(p_twist + (twist - r_back.twist), T(0.0f) - most_twist), most_twist);
+	r_back = { r_knot, r_back.shift + turn_change(turn_by(turn - e * along), e), turn, twist };
+	r_knot = r_knot + r_back.shift;
+	return twisted;
+}
+
+// Performs one solve: from tip to root, then from root to tip. p_active: the lanes whose blades move.
 template <class T, class Mask>
 GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, p_chain, gains);
-	Beyond<T> beyond{};
-	beyond.caution = p_stage.caution;
-	Touch<T> touch{}; // of knot s + 1
-	for (int s = GRASS_SEGMENTS; s >= 1; s--) {
-		const Touch<T> first = s >= GRASS_CLAMPED_KNOTS ? find_touch(r_blade, p_terms, p_stage.base[s], s) : Touch<T>{};
-		if (s == GRASS_SEGMENTS) {
-			touch = first;
-			continue;
-		}
-		const T stiffness = joint_stiffness(r_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
-		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
-		carry_to_base(beyond, segment(r_blade, s));
-		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
-		touch = first;
-		const Vec3<T> axis = gains[s].axis;
-		const Vec3<T> moment = (gains[s].turn + axis * dot(axis, gains[s].turn)) * stiffness;
-		gains[s] = eliminate_joint(beyond, moment, stiffness * (T(1.0f) + beyond.caution), axis);
-	}
-	Vec3<T> shift{}, turn{};
-	T twist_before(0.0f);
-	const T most_twist = T(MOST_TWIST);
-	Vec3<T> parent = r_blade.knots[1];
+	const Touches<T> touches = sweep_to_root(r_blade, p_terms, p_chain, p_stage, gains);
+	WayBack<T> back{ r_blade.knots[1] };
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
-		const JointGain<T> &gain = gains[s];
-		const Vec3<T> stiffened = turn + gain.axis * dot(gain.axis, turn);
-		turn = gain.turn + product_of(gain.spring, stiffened) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
-		const Vec3<T> knot = r_blade.knots[s + 1];
-		const Vec3<T> e = knot - parent;
-		// The part of the turn about the segment itself is twist. It is much larger, and would spoil the turn.
-		const T along = dot(turn, e) / maximum(dot(e, e), T(TINY_SQUARED));
-		const T twist = along * r_blade.lengths[s];
-		const T twisted = minimum(maximum(r_blade.twist[s] + (twist - twist_before), T(0.0f) - most_twist), most_twist);
-		r_blade.twist[s] = select(p_active, twisted, r_blade.twist[s]);
-		twist_before = twist;
-		shift = shift + turn_change(turn_by(turn - e * along), e);
-		parent = knot;
-		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
+		Vec3<T> knot = r_blade.knots[s + 1];
+		const T twist = turn_joint(back, r_blade.twist[s], gains[s], r_blade.lengths[s], knot);
+		r_blade.twist[s] = select(p_active, twist, r_blade.twist[s]);
+		r_blade.knots[s + 1] = select(p_active, knot, r_blade.knots[s + 1]);
 	}
-	return beyond.touches;
+	return touches;
 }
 
 } // namespace grass

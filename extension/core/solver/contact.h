@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How colliders and the ground act on a blade: the deepest correction bends it, and finish() leaves no knot inside. Twin of
-// shaders/solver/contact.inc.
+// shaders/solver/contact.inc, and of finish() and the search in shaders/solver/finish.inc and shaders/solver/touches.inc.
 #pragma once
 
-#include "core/solver/edge.h"
-#include "core/solver/shape.h"
+#include "core/solver/touch.h"
 
 namespace grass {
 
@@ -35,15 +34,10 @@ GRASS_INLINE Correction<T> find_edge_correction(
 	if (!any(may_meet)) {
 		return no_correction(T(0.0f));
 	}
-	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
-	const Path<T> path_b = relative_path(p_collider, p_blade.root, from_b, to_b);
-	Edge<T> edge = sweep_edge(p_collider, path_a, path_b, T(0.0f));
-	r_share = edge.share;
-	const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
-	const auto is_free = may_meet & is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
-	edge.face.distance = select(is_free, edge.face.distance, T(0.0f));
-	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
-	return make_correction(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
+	Meeting<T> meeting = meet_edge(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f));
+	r_share = meeting.share;
+	meeting.face.distance = select(may_meet, meeting.face.distance, T(FAR_AWAY));
+	return make_correction(p_collider, meeting.face, meeting.way, p_friction);
 }
 
 template <class T> GRASS_INLINE DeepestCorrection<T> find_deepest_correction(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
@@ -54,7 +48,8 @@ template <class T> GRASS_INLINE DeepestCorrection<T> find_deepest_correction(con
 			continue;
 		}
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
-			const Correction<T> correction = find_correction(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
+			const Meeting<T> meeting = meet_knot(collider, p_blade.root, p_blade.before[k], p_blade.knots[k]);
+			const Correction<T> correction = make_correction(collider, meeting.face, meeting.way, p_terms.friction);
 			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
 			const auto is_edges = is_cut & (correction.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, correction.normal);
 			const auto is_deeper = is_near & (correction.depth > deepest.correction.depth) & !is_edges;

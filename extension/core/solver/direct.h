@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT over time: one implicit step of a chain, of second order if nothing is near. Twin of shaders/solver/direct.inc.
+// METHOD_DIRECT over time: one implicit step of a chain, of second order if nothing is near. Twin of shaders/solver/direct.inc
+// and shaders/solver/plan.inc.
 #pragma once
 
 #include "core/solver/free.h"
@@ -34,18 +35,6 @@ GRASS_INLINE void take_blows(
 			r_stage.target[k] = select(is_blow, r_blade.knots[k], r_stage.target[k]);
 		}
 	}
-}
-
-// [Eq 36] Returns true if no collider that may touch the blade moves in this step. Returns false if there are more than the shared
-// colliders.
-template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
-	for (const TileCollider &collider : p_terms.colliders) {
-		if (!stands_still(collider)) {
-			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
-		}
-	}
-	return !is_moved;
 }
 
 // [Eq 36] The blades that may stick in a step, and those that do.
@@ -160,7 +149,8 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 	using Mask = MaskOf<T>;
 	StepTerms<T> terms = p_terms;
 	terms.iterations = 1;
-	std::vector<TileCollider> between; // the terms' colliders in a part
+	std::vector<TileCollider> colliders(p_terms.colliders.size()); // the terms' in a part
+	terms.colliders = colliders;
 	const T most_move = p_terms.max_move * p_terms.step_ratio * r_blade.blade_length;
 	Start<T> part;
 	Stage<T> stage;
@@ -179,8 +169,8 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 		stage.over_inertia = select(p_finer > T(1.0f), T(over_inertia_in_part(terms.finer)), T(over_inertia_in_part(1.0f)));
 		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
 		for (int i = 0; i < parts; i++) {
-			find_colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share, between);
-			terms.colliders = between;
+			std::ranges::transform(p_terms.colliders, colliders.begin(),
+					[&](const TileCollider &p_collider) { return between(p_collider, float(i) * share, float(i + 1) * share); });
 			begin_part(r_blade, p_start, terms.load, most_move * T(share), T(share), i == 0, part, stage);
 			const Mask none = takes_part & !takes_part;
 			Hold<Mask> no_hold{ none, none, none, none };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds which colliders may touch a blade in a step, and into how many parts it divides the step. Twin of ask_near(), find_burial() and
-// count_parts() in shaders/solver/near.inc.
+// Finds which colliders may touch a blade in a step, and into how many parts it divides the step. Twin of
+// shaders/solver/near.inc.
 #pragma once
 
 #include "core/solver/edge.h"
@@ -74,6 +74,18 @@ template <class T> GRASS_INLINE MaskOf<T> all_are_slower(const Blade<T> &p_blade
 	return !is_fast;
 }
 
+// [Eq 36] Returns true if no collider that may touch the blade moves in this step. Returns false if there are more than the shared
+// colliders.
+template <class T> GRASS_INLINE MaskOf<T> all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	MaskOf<T> is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		if (!stands_still(collider)) {
+			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
+		}
+	}
+	return !is_moved;
+}
+
 // [Eq 43] Returns contact_rate over its least for each blade: 1 beside bodies that creep.
 template <class T> GRASS_INLINE T own_finer(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	return p_terms.finer > 1.0f ? select(all_are_slower(p_blade, p_terms, FINER_FROM), T(1.0f), T(p_terms.finer)) : T(1.0f);
@@ -103,6 +115,20 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 	}
 	is_buried = is_buried & (p_blade.knots[GRASS_SEGMENTS].y < p_blade.blade_length * T(LYING));
 	return { is_buried, !is_fast, is_laid };
+}
+
+// [Eq 48] Returns how many colliders could touch the blade in any pose, 0 if one of them moves or anything else drives the blade.
+template <class T> GRASS_INLINE T count_resting(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T count(0.0f);
+	MaskOf<T> is_driven = sum_of(p_terms.load) > T(0.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		const auto is_reached = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
+		count = count + select(is_reached, T(1.0f), T(0.0f));
+		if (!stands_still(collider)) {
+			is_driven = is_driven | is_reached;
+		}
+	}
+	return select(is_driven, T(0.0f), count);
 }
 
 // [Eq 43] Returns the number of equal parts into which a blade divides the step: a power of 2. p_fastest: how far its fastest knot moves in

@@ -112,8 +112,8 @@ template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTer
 	}
 }
 
-// [Eq 7] The length constraints, root to tip: both ends of a segment share its excess or lack of length.
-template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
+// [Eq 7] The length constraint, root to tip: both ends of a segment share its excess or lack of length.
+template <class T> GRASS_INLINE void keep_length(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> change = way_to_length(segment(r_blade, k), r_blade.lengths[k], Vec3<T>{});
 		if (k == 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulation on the CPU: the pool's state and the step of the awake tiles, from the same records as shaders/solver/simulate.glsl. It is
-// the backend in headless and Compatibility, and the reference in tests.
+// The simulation on the CPU: the pool's state and the step of the awake tiles, from the same records. Twin of
+// shaders/solver/simulate.glsl. It is the backend in headless and Compatibility, and the reference in tests.
 #pragma once
 
 #include "core/base/parallel_for.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One step of one blade (or of eight, one in each lane): METHOD_PBD, the method of Han and Harada 2012 that Fan et al.
-// 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc. docs/internals/solver.md derives it.
+// 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc and of the end of a step in
+// shaders/solver/finish.inc. docs/internals/solver.md derives it.
 #pragma once
 
 #include "core/solver/blade_order.h"
@@ -101,20 +102,6 @@ template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, co
 	}
 }
 
-// [Eq 48] Returns how many colliders could touch the blade in any pose, 0 if one of them moves or anything else drives the blade.
-template <class T> GRASS_INLINE T count_resting(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	T count(0.0f);
-	MaskOf<T> is_driven = sum_of(p_terms.load) > T(0.0f);
-	for (const TileCollider &collider : p_terms.colliders) {
-		const auto is_reached = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
-		count = count + select(is_reached, T(1.0f), T(0.0f));
-		if (!stands_still(collider)) {
-			is_driven = is_driven | is_reached;
-		}
-	}
-	return select(is_driven, T(0.0f), count);
-}
-
 // [Eq 48] For how long bodies at rest alone have touched a blade, seconds, how many could, and whether one has bent it in this step.
 template <class T> struct Calm {
 	T so_far, count;
@@ -133,7 +120,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, co
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);
-		keep_lengths(r_blade);
+		keep_length(r_blade);
 		if (!p_terms.colliders.empty()) {
 			const DeepestCorrection<T> deepest = find_deepest_correction(r_blade, p_terms);
 			touches = touches | (deepest.correction.depth > T(0.0f));

@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: MIT
-// The surface that METHOD_DIRECT's solve considers: the deepest touch of a knot. Twin of shaders/solver/touch.inc.
+// The surface that METHOD_DIRECT's solve considers: the deepest touch of a knot. Twin of shaders/solver/touch.inc
+// and shaders/solver/touches.inc.
 #pragma once
 
 #include "core/solver/edge.h"
 #include "core/solver/shape.h"
 
 namespace grass {
+
+// What a knot, or an edge, meets of a collider in the step.
+template <class T> struct Meeting {
+	Face<T> face; // of the collider, in its own axes
+	Vec3<T> way; // of the point that meets it, relative to the collider, in the same axes, metres
+	T share; // where on the edge
+};
+
+// Returns what a knot meets that moved from p_from to p_to (blade space) while the collider moved from its pose before to its pose now.
+template <class T>
+GRASS_INLINE Meeting<T> meet_knot(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to) {
+	const Path<T> path = relative_path(p_collider, p_root, p_from, p_to);
+	return { sweep(p_collider, path, ground_under(p_collider, p_to.y)), path.to - path.from, T(0.0f) };
+}
+
+// [Eq 33] Returns the same for the edge between two knots, a and b: its deepest point, if that is between them.
+template <class T>
+GRASS_INLINE Meeting<T> meet_edge(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
+		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_skin) {
+	const Path<T> path_a = relative_path(p_collider, p_root, p_from_a, p_to_a);
+	const Path<T> path_b = relative_path(p_collider, p_root, p_from_b, p_to_b);
+	Edge<T> edge = sweep_edge(p_collider, path_a, path_b, p_skin);
+	const T height = p_to_a.y + (p_to_b.y - p_to_a.y) * edge.share;
+	const auto is_met = is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
+	edge.face.distance = select(is_met, edge.face.distance, T(FAR_AWAY));
+	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
+	return { edge.face, way_a + (way_b - way_a) * edge.share, edge.share };
+}
 
 // Returns the deepest touch of a collider.
 template <class T>
@@ -21,12 +50,11 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 		if (!any(may_touch)) {
 			continue;
 		}
-		const Path<T> path = relative_path(collider, p_blade.root, p_from, to);
-		const Face<T> face = sweep(collider, path, ground_under(collider, to.y));
-		const T depth = skin - face.distance;
+		const Meeting<T> meeting = meet_knot(collider, p_blade.root, p_from, to);
+		const T depth = skin - meeting.face.distance;
 		auto is_deeper = may_touch & (depth > deepest.depth);
 		if (any(is_deeper)) {
-			const Touch<T> touch = make_touch(collider, face, path.to - path.from, skin, p_terms.friction);
+			const Touch<T> touch = make_touch(collider, meeting.face, meeting.way, skin, p_terms.friction);
 			is_deeper = is_deeper & !(cuts(collider, l) & is_of_edge(p_blade, p_knot, touch.normal));
 			deepest = select(is_deeper, touch, deepest);
 		}
@@ -48,18 +76,11 @@ GRASS_INLINE Touch<T> find_edge_touch(
 		if (!any(may_touch)) {
 			continue;
 		}
-		const Path<T> path_a = relative_path(collider, p_blade.root, p_from_a, to_a);
-		const Path<T> path_b = relative_path(collider, p_blade.root, p_from_b, to_b);
-		const Edge<T> edge = sweep_edge(collider, path_a, path_b, skin);
-		const T depth = skin - edge.face.distance;
-		const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
-		const auto is_deeper =
-				may_touch & is_between_knots(edge) & (depth > deepest.depth) & !is_blocked(edge.face, ground_under(collider, height));
+		const Meeting<T> meeting = meet_edge(collider, p_blade.root, p_from_a, p_from_b, to_a, to_b, skin);
+		const auto is_deeper = may_touch & (skin - meeting.face.distance > deepest.depth);
 		if (any(is_deeper)) {
-			const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
-			const Vec3<T> way = way_a + (way_b - way_a) * edge.share;
-			deepest = select(is_deeper, make_touch(collider, edge.face, way, skin, p_terms.friction), deepest);
-			r_share = select(is_deeper, edge.share, r_share);
+			deepest = select(is_deeper, make_touch(collider, meeting.face, meeting.way, skin, p_terms.friction), deepest);
+			r_share = select(is_deeper, meeting.share, r_share);
 		}
 	}
 	return deepest;

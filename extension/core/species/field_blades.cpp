@@ -24,7 +24,7 @@ int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade, float *r_h
 		return 0;
 	}
 	const auto root_of = [this](int p_of) -> Eigen::Vector2f { return get_texel(p_of, 0).head<2>(); };
-	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map, r_height);
+	return _species->choose_species(p_tile_x, p_tile_z, p_blade, root_of, _map, r_height);
 }
 
 FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {

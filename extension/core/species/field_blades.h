@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each blade of a field at rest: its species, its clump, and how a map changes both. The CPU's twin of begin_point() in
-// shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
+// Each blade of a field at rest: its species, its clump, and how a map changes both. Does for the CPU
+// what begin_point() in shaders/draw/pose.gdshaderinc does for the picture. Lives as long as the field is built.
 #pragma once
 
 #include "core/base/standing_plant.h"
@@ -40,7 +40,7 @@ public:
 	bool stands(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Returns knot p_knot of a blade at rest in blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
-	// How a blade's mesh stands at rest: as shaders/draw/plant.gdshader draws it near the eye.
+	// The pose of a blade's mesh at rest: as shaders/draw/plant.gdshader draws it near the eye.
 	struct Standing {
 		float angle = 0.0f; // radians from +x towards +z, of the mesh's x axis at the root
 		float length = 0.0f; // metres, as far as it has grown out of the ground, and before it is mown

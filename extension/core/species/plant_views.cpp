@@ -17,7 +17,7 @@ namespace {
 
 constexpr int FINER = 3; // samples for each texel, along a side
 // From the side the picture shows what an eye so much above the horizon sees of the plant, radians: mostly the upper sides of leaves, which
-// are lighter. The eye of somebody who stands sees plants 6 m away so.
+// are lighter. Somebody upright sees plants 6 m away at this angle.
 constexpr float RAISED = 0.26f;
 
 // As the engine decodes a texture of colours.

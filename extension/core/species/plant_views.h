@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a plant's mesh from all sides and from above, for what stands for it at some distance.
+// Pictures of a plant's mesh from all sides and from above, for the impostor that is drawn in its place at some distance.
 #pragma once
 
 #include "core/species/plant_picture.h"

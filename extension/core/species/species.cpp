@@ -130,7 +130,7 @@ int SpeciesMix::find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_la
 	return painted < _count ? painted : -1;
 }
 
-// What choose() needs to know of a blade, or of a plant with several.
+// What choose_species() needs to know of a blade, or of a plant with several.
 struct SpeciesMix::Place {
 	int x, z; // units
 	uint32_t bits, blade; // bits of the tile; the blade whose random numbers decide
@@ -159,8 +159,9 @@ int SpeciesMix::find_painted(const Place &p_place, const MapLayers *p_layers) co
 			grass_species_texel(p_place.z, second, _texel_units, float(_grid.get_tiles_z()), size), p_layers);
 }
 
-// The twin of species_of() in shaders/species/choice.inc.
-int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers, float *r_height) const {
+// The twin of choose_species() in shaders/species/choice.inc.
+int SpeciesMix::choose_species(
+		int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers, float *r_height) const {
 	const uint32_t tile_seed = uint32_t(grass_tile_hash(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) * 2048.0f);
 	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed);
 	const int start = int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
@@ -205,8 +206,8 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 	return found(0);
 }
 
-int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
-	return choose(
+int SpeciesMix::choose_species(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+	return choose_species(
 			p_tile_x, p_tile_z, p_blade, [&p_root](int) { return p_root; }, p_layers);
 }
 

@@ -106,9 +106,10 @@ public:
 	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // returns the place in a tile, 0..1, of a blade of the patch
 	// Returns the species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
 	// r_height: the height of the blade there as a share of what it would be within a stand, [Eq P6].
-	int choose(
+	int choose_species(
 			int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers, float *r_height = nullptr) const;
-	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // for single stems
+	int choose_species(
+			int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // for single stems
 	// [Eq P4] Returns the shares of the species among the blades around a place in the field: x, z in metres. They add up to 1.
 	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 

@@ -43,7 +43,7 @@ void TileMeetings::begin(size_t p_colliders) {
 	}
 }
 
-// Their slots are others', too, so that colliders that stand still have to look for them again.
+// Other tiles have their slots now, so colliders that do not move have to look for theirs again.
 void TileMeetings::bar_yielded() {
 	for (const int tile : _barred) {
 		_place_of_tile.erase(tile);

@@ -88,7 +88,7 @@ private:
 		uint32_t squares = 0; // index of the first square of its range
 		int asleep = 0; // number of sleeping tiles in the range
 		bool is_kept = false; // it meets what it met in the last step
-		bool is_seen = false; // cameras see tiles of its range; not asked while the list has room for all
+		bool is_seen = false; // cameras see tiles of its range; not computed while the list has room for all
 	};
 	// What ways may meet together: the most that one of them may, and what is left for those that follow.
 	struct Limits {

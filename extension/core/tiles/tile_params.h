@@ -35,7 +35,7 @@ struct TileParams {
 	// Seconds for which no collider was in a tile, before its blades move by their strains. Less: they jump then, by more than a
 	// millimetre. More: they cost twice as much for longer.
 	double alone_time = 0.5;
-	double alone_air = 20.0; // Air that forces move faster than that bends blades more sharply than their strains can tell. m/s.
+	double alone_air = 20.0; // Air that forces move faster than this bends blades more sharply than strains can describe. m/s.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	// SleepMode::ENERGY: a tile on which nothing changed for this time is no longer simulated. Too short: blades stop while they still
 	// swing. Seconds.
@@ -55,7 +55,7 @@ struct TileParams {
 	// And takes one from a tile farther away if the bands of their distances (see TileView) differ by so much: 1.15 to 1.5 times as far.
 	static constexpr int FARTHER_BANDS = 2;
 	// Most slots that tiles under bodies lose in a step to tiles that are seen better. Fewer: a camera that turns quickly sees bodies in
-	// grass that stands for longer than a quarter of a second. More: a step wakes many tiles at once.
+	// grass that they have not bent for longer than a quarter of a second. More: a step wakes many tiles at once.
 	int most_yielding() const { return std::max(MIN_YIELDING, pool_size / YIELDING_PART); }
 	// Never more pairs of a tile and a collider than this, for buffers made once.
 	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }

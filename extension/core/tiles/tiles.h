@@ -227,7 +227,7 @@ private:
 	// view or since still; the others.
 	SlotSet _met, _stirred, _unmet, _fresh, _skipped, _simulated;
 	std::vector<uint64_t> _signatures,
-			_signatures_before; // by slot: which colliders stand where in its tile, in this step and the last one
+			_signatures_before; // by slot: a hash of the colliders in its tile and of their poses, in this step and the last one
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // steps of the last report, and of the last one with bends
 	uint64_t _moved_step = 0; // tiles changed slots after it: reports of earlier steps are of others

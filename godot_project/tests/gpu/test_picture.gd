@@ -267,10 +267,10 @@ func test_grass_casts_shadows() -> void:
 
 
 func test_colors_reach_the_picture() -> void:
-	var field := add_seen_field({dry = 0.0, clump_tint = 0.0})
+	var field := add_seen_field({species = kind({dry = 0.0}), clump_tint = 0.0})
 	var green := mean(await picture())
-	field.tip_color = Color(0.9, 0.05, 0.05)
-	field.root_color = Color(0.5, 0.02, 0.02)
+	field.species[0].tip_color = Color(0.9, 0.05, 0.05)
+	field.species[0].root_color = Color(0.5, 0.02, 0.02)
 	var red := mean(await picture())
 	assert_greater(red.r, green.r + 0.05)
 	assert_less(red.g, green.g)

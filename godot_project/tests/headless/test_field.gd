@@ -83,7 +83,7 @@ func test_memory_hardly_grows_with_the_area() -> void:
 
 func test_patch_changes_rebuild_the_field() -> void:
 	var patch := GrassPatch.new()
-	var field := add_field({patch = patch})
+	var field := add_field({species = kind({patch = patch})})
 	await ticks(2)
 	var before := tile_knots(field, Vector2i.ZERO)
 	var makings: int = field.get_counters().makings
@@ -98,14 +98,14 @@ func test_patch_changes_rebuild_the_field() -> void:
 	patch.seed = 99
 	await made(field, makings + 2)
 	assert_ne(tile_knots(field, Vector2i.ZERO), after, "another patch seed")
-	field.patch = null
+	field.species[0].patch = null
 	await made(field, makings + 3)
 	assert_eq(tile_knots(field, Vector2i.ZERO), before, "the default patch again")
 
 
 func test_patch_is_shared_and_told_apart() -> void:
 	var patch := GrassPatch.new()
-	var with_patch := add_field({patch = patch})
+	var with_patch := add_field({species = kind({patch = patch})})
 	var without := add_field()
 	await ticks(2)
 	assert_eq(tile_knots(with_patch, Vector2i.ZERO), tile_knots(without, Vector2i.ZERO), "an untouched patch is the default one")
@@ -120,7 +120,7 @@ func test_empty_patch_warns_and_grows_nothing() -> void:
 	var patch := GrassPatch.new()
 	for type: String in ["upright", "arched", "drooping", "wavy"]:
 		patch.set("weight_" + type, 0.0)
-	var field := add_field({patch = patch})
+	var field := add_field({species = kind({patch = patch})})
 	var body := add_held_body(ball(0.2), Vector3(0, 0.2, 0))
 	await ticks(5)
 	assert_eq(field.get_blade_count(), 0)

@@ -162,14 +162,14 @@ func test_cut_grass_grows_again() -> void:
 
 
 func test_time_heals_at_its_rates() -> void:
-	var field := add_field({map = full_map(), regrowth = 3000.0, wear_recovery = 6.0})  # 50 mm/s and 0.1/s
+	var field := add_field({map = full_map(), regrowth = 3000.0, species = kind({wear_recovery = 6.0})})  # 50 mm/s and 0.1/s
 	field.cut(box(Vector3(4, 0.2, 4)), at(Vector3(0, 0.15, 0)))
 	field.trample(Vector3.ZERO, 1.0, 1.0)
 	await ticks(60)
 	assert_near(field.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO), 0.1, 0.015)
 	assert_near(field.map.sample(GrassMap.CHANNEL_WEAR, Vector2.ZERO), 0.9, 0.02)
 	field.regrowth = 0.0
-	field.wear_recovery = 0.0
+	field.species[0].wear_recovery = 0.0
 	var cut := field.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO)
 	await ticks(30)
 	assert_eq(field.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO), cut)

@@ -17,12 +17,12 @@ func test_other_blades_come_when_they_are_there() -> void:
 	var before := field.get_counters()
 	var old := tile_knots(field, TILE)
 	for i in 5:  # the last one counts
-		field.patch = long_blades(0.5 + 0.1 * i)
-		field.patch.length_min = 0.4
+		field.species = kind({patch = long_blades(0.5 + 0.1 * i)})
+		field.species[0].patch.length_min = 0.4
 	assert_eq(tile_knots(field, TILE), old, "the old grass stands")
 	assert_eq(field.get_counters().makings, before.makings, "nobody waits")
 	await made(field, before.makings + 1)
-	var fresh := add_field({patch = field.patch})
+	var fresh := add_field({species = field.species})
 	await ticks(2)
 	assert_eq(tile_knots(field, TILE), tile_knots(fresh, TILE))
 	assert_ne(tile_knots(field, TILE), old)
@@ -36,7 +36,7 @@ func test_what_changes_meanwhile_comes_with_it() -> void:
 	var field := add_field()
 	await ticks(2)
 	var before := field.get_counters()
-	field.patch = long_blades(0.6)
+	field.species = kind({patch = long_blades(0.6)})
 	field.size = Vector2(6, 6)
 	await grown(field)
 	assert_eq(field.get_counters().makings, before.makings + 1, "once")
@@ -96,7 +96,7 @@ func test_what_keeps_the_buffers() -> void:
 ## Whether blades at rest stand as in a field that was made of the same properties.
 func same_as_fresh(field: GrassField, tile := Vector2i(0, 0)) -> void:
 	var properties := {simulated = false}
-	for property: String in ["seed", "clump_lean", "clump_size", "density", "size", "patch", "species", "map"]:
+	for property: String in ["seed", "clump_lean", "clump_size", "density", "size", "species", "map"]:
 		properties[property] = field.get(property)
 	var fresh := add_field(properties)
 	fresh.get_density_at(Vector3.ZERO)  # at once
@@ -193,7 +193,7 @@ func test_freed_and_taken_out_meanwhile() -> void:
 		var field := add_field()
 		await ticks(2)
 		var patch := long_blades(0.5 + 0.01 * i)
-		field.patch = patch
+		field.species = kind({patch = patch})
 		match i % 4:
 			0:
 				field.free()
@@ -204,7 +204,7 @@ func test_freed_and_taken_out_meanwhile() -> void:
 				await ticks(2)
 				assert_greater(field.get_blade_count(), 0)
 			2:
-				field.patch = null
+				field.species[0].patch = null
 				await ticks(2)
 				assert_greater(field.get_blade_count(), 0)
 			3:
@@ -215,15 +215,15 @@ func test_freed_and_taken_out_meanwhile() -> void:
 
 
 func test_a_patch_that_becomes_empty() -> void:
-	var field := add_field({patch = long_blades(0.5)})
+	var field := add_field({species = kind({patch = long_blades(0.5)})})
 	await ticks(2)
 	assert_greater(field.get_blade_count(), 0)
 	var makings: int = field.get_counters().makings
 	expect_error("No grass grows")
-	field.patch.length_min = 0.0
-	field.patch.length_max = 0.0
+	field.species[0].patch.length_min = 0.0
+	field.species[0].patch.length_max = 0.0
 	await made(field, makings + 1)
 	assert_eq(field.get_blade_count(), 0)
-	field.patch.length_max = 0.5
+	field.species[0].patch.length_max = 0.5
 	await ticks(2)
 	assert_greater(field.get_blade_count(), 0)

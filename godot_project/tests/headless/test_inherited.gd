@@ -105,7 +105,7 @@ func test_limits_the_wrong_way_round_are_said() -> void:
 	patch.length_min = 1.0
 	patch.length_max = 0.5
 	expect_error("The patch of species 0 has `length_min` above `length_max`, so all blades are `length_min` long.")
-	add_field({patch = patch})
+	add_field({species = kind({patch = patch})})
 	await ticks(2)
 	var thin := GrassPatch.new()
 	thin.width_min = 0.03

@@ -76,18 +76,13 @@ func test_every_number_is_kept() -> void:
 
 func test_the_rest_is_kept() -> void:
 	var field := add_field()
-	var patch := GrassPatch.new()
 	var values := {
 		size = Vector2(3, 5.5),
-		patch = patch,
 		simulated = false,
 		collision_mask = 0x80000001,
 		backend = GrassField.BACKEND_CPU,
 		debug_view = GrassField.DEBUG_VIEW_LOD,
 		measure_time = true,
-		root_color = Color.RED,
-		tip_color = Color.GREEN,
-		dry_color = Color.BLUE,
 	}
 	for property: String in values:
 		field.set(property, values[property])
@@ -135,7 +130,7 @@ func test_bad_sizes_and_densities_still_grow() -> void:
 
 func test_bad_patches_still_grow() -> void:
 	var patch := GrassPatch.new()
-	var field := add_field({patch = patch, size = Vector2(1, 1)})
+	var field := add_field({species = kind({patch = patch}), size = Vector2(1, 1)})
 	var ranges := ranges_of("GrassPatch")
 	assert_eq(ranges.size(), 9)
 	for property in ranges:
@@ -168,9 +163,7 @@ func test_copies_keep_the_properties() -> void:
 			size = Vector2(2, 3),
 			density = 400.0,
 			seed = 5,
-			patch = patch,
-			natural_frequency = 2.0,
-			tip_color = Color.CORAL,
+			species = kind({patch = patch, natural_frequency = 2.0, tip_color = Color.CORAL}),
 			collision_mask = 6,
 			simulated = false,
 			wind_speed = 1.5,

@@ -4,7 +4,6 @@ extends "res://tests/field_case.gd"
 
 const TOLERANCE := 1e-3  # metres that a knot may lie inside of a shape
 const ABOVE := Vector3(0, 0.34, 0)  # of a shape about 0.3 m thick, so that most roots are outside of it
-const REST := Vector2i(4, 4)
 
 
 func capsule(radius: float, height: float) -> CapsuleShape3D:

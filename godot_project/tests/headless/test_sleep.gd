@@ -98,7 +98,7 @@ func test_a_finer_motion_stays_awake_longer() -> void:
 
 ## Blades so soft that they nod for a minute do not hold their slots for so long.
 func test_what_never_calms_down_is_put_to_rest() -> void:
-	var field := add_field({natural_frequency = 0.3, damping_ratio = 0.0})
+	var field := add_field({species = kind({natural_frequency = 0.3, damping_ratio = 0.0})})
 	await ticks(2)
 	await bend_with_ball(field)
 	await ticks(590)

@@ -63,8 +63,9 @@ func test_a_field_is_prepared_on_a_thread() -> void:
 			var made := GrassField.new()
 			made.size = Vector2(4, 4)
 			made.wind_speed = 0.0
-			made.patch = GrassPatch.new()
-			made.patch.length_max = 0.6
+			made.species = [GrassSpecies.new()]
+			made.species[0].patch = GrassPatch.new()
+			made.species[0].patch.length_max = 0.6
 			made.map = full_map()
 			made.map.stroke(brush(GrassBrush.TOOL_ERASE, 0.5), Vector2.ONE, Vector2.ONE)
 			return made

@@ -193,7 +193,7 @@ func test_shapes_of_the_ground_are_not_looked_at() -> void:
 
 ## Bodies that rest on the grass for long cost nothing but the look at where they are, until one moves.
 func test_bodies_that_stand_still_cost_no_simulation() -> void:
-	var field := add_field({natural_frequency = 2.0, damping_ratio = 0.6})
+	var field := add_field({species = kind({natural_frequency = 2.0, damping_ratio = 0.6})})
 	var bodies: Array[PhysicsBody3D] = []
 	for x: float in [-1.0, 1.0]:
 		bodies.append(add_held_body(ball(0.2), Vector3(x, 0.15, 0.1)))
@@ -215,7 +215,7 @@ func test_bodies_that_stand_still_cost_no_simulation() -> void:
 	var moved := field.get_counters()
 	assert_less(moved.still_tiles, before.still_tiles)
 	assert_greater(moved.still_tiles, 0, "the other one's")
-	field.damping_ratio = 0.7
+	field.species[0].damping_ratio = 0.7
 	await ticks(1)
 	assert_eq(field.get_counters().still_tiles, 0, "other blades")
 	for body in bodies:

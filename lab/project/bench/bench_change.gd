@@ -24,7 +24,7 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 		"density": func() -> void: _field.density = 250.0,
 		"seed": func() -> void: _field.seed = 1,
 		"clumps": func() -> void: _field.clump_size = 2.0,
-		"patch": func() -> void: _field.patch = _patch(0.6),
+		"patch": func() -> void: _field.species = [_species(0.6)],
 		"pool": func() -> void: _field.pool_tiles = 2048,
 		"a map, all grass": func() -> void: _field.map = _map(1.0, false),
 		"another map, painted": func() -> void: _field.map = _painted,

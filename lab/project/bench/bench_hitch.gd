@@ -41,7 +41,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 		"wind": func() -> void: _field.wind_speed = 6.0,
 		"size": func() -> void: _field.size = Vector2(_side - 1.0, _side),
 		"density": func() -> void: _field.density = 250.0,
-		"blades": func() -> void: _field.patch = _patch(0.6),
+		"blades": func() -> void: _field.species = [_species(0.6)],
 		"method": func() -> void: _field.method = GrassField.METHOD_PBD,
 		"pool": func() -> void: _field.pool_tiles = 2048,
 		"the first map": _map,
@@ -125,10 +125,11 @@ func _blow() -> void:
 	add_child(force)
 
 
-func _patch(p_length: float) -> GrassPatch:
-	var patch := GrassPatch.new()
-	patch.length_max = p_length
-	return patch
+func _species(p_length: float) -> GrassSpecies:
+	var species := GrassSpecies.new()
+	species.patch = GrassPatch.new()
+	species.patch.length_max = p_length
+	return species
 
 
 func _map() -> void:

@@ -74,7 +74,7 @@ template <class T> GRASS_INLINE void move_to(StrainBlade<T> &r_blade, const Stra
 		r_blade.now.at[n] = p_next.at[n];
 	}
 }
-// The same for a knot. p_is_stopped: it stands still.
+// Does the same for a knot. p_is_stopped: it does not move.
 template <class T>
 GRASS_INLINE void put_knot(StrainBlade<T> &r_blade, int p_knot, const Vec3<T> &p_rest, const Vec3<T> &p_place, const T &p_twist,
 		const T &p_share, const MaskOf<T> &p_is_stopped) {
