@@ -4,7 +4,7 @@ extends RefCounted
 
 const SIDE := 512  # pixels of a texture
 const METRES := 2.5  # that a texture spans
-const COLORS: Array[Color] = [Color(0.16, 0.13, 0.09), Color(0.34, 0.28, 0.19), Color(0.42, 0.36, 0.26), Color(0.52, 0.48, 0.4)]
+const COLORS: Array[Color] = [Color(0.25, 0.2, 0.14), Color(0.34, 0.28, 0.19), Color(0.42, 0.36, 0.26), Color(0.52, 0.48, 0.4)]
 const PATCHES: Array[Color] = [Color(0.72, 0.7, 0.66), Color(1, 0.98, 0.94), Color(1.15, 1.1, 1.0)]
 const PATCH_METRES := 11.0
 
@@ -15,7 +15,7 @@ static var _made: StandardMaterial3D
 static func material() -> StandardMaterial3D:
 	if _made == null:
 		_made = StandardMaterial3D.new()
-		var crumbs := _noise(FastNoiseLite.TYPE_CELLULAR, 0.045)
+		var crumbs := _noise(FastNoiseLite.TYPE_CELLULAR, 0.11)
 		_made.albedo_texture = _texture(crumbs, COLORS)
 		_made.normal_enabled = true
 		_made.normal_texture = _texture(crumbs, [])
