@@ -1,58 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
-#include "core/base/beside.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
+#include "gpu/view_records.h"
 #include "shared/convert.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 using namespace godot;
 
 namespace grass {
-
-namespace {
-
-vec4 to_vec4(const Eigen::Vector4f &p_v) {
-	return { p_v.x(), p_v.y(), p_v.z(), p_v.w() };
-}
-
-GrassCamera to_record(const ViewCamera &p_camera) {
-	GrassCamera record;
-	for (size_t i = 0; i < p_camera.planes.size(); i++) {
-		record.planes[i] = to_vec4(p_camera.planes[i]);
-	}
-	record.eye = { p_camera.eye.x(), p_camera.eye.y(), p_camera.eye.z(), p_camera.near };
-	record.pixel = { p_camera.pixel, p_camera.pixel_slope, 0.0f, 0.0f };
-	return record;
-}
-
-ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup, LevelSet p_levels, LevelSet p_surfaces) {
-	ViewRecords records;
-	GrassView &view = records.view;
-	const BladeSize size = p_setup.blade_size();
-	view.lod = { p_view.lod.far, p_view.lod.error, p_view.lod.pixels_min, p_view.lod.shadow_coarseness };
-	view.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
-		p_setup.blade_height() };
-	view.blades = { p_setup.blade_spread(), size.width, size.length, p_view.lod.is_carried ? 1.0f : 0.0f };
-	view.shadow = { p_view.shadow_margin, p_view.shadow_distance, 0.0f, 0.0f };
-	const size_t falls = std::min(p_view.falls.size(), std::size(view.falls));
-	for (size_t i = 0; i < falls; i++) {
-		view.falls[i] = { p_view.falls[i].x(), p_view.falls[i].y(), p_view.falls[i].z(), 0.0f };
-	}
-	view.counts = { uint32_t(p_view.cameras.size()), uint32_t(falls), p_setup.seed, p_setup.is_mapped ? 1u : 0u };
-	view.levels = { uint32_t(p_levels), uint32_t(p_levels >> 32), uint32_t(p_surfaces), uint32_t(p_surfaces >> 32) };
-	for (const ViewCamera &camera : p_view.cameras) {
-		records.cameras.push_back(to_record(camera));
-	}
-	return records;
-}
-
-} // namespace
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
@@ -74,7 +34,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
-	drop_next_room();
+	_next_room.drop();
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture
@@ -122,7 +82,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
 	_is_fitted = false;
-	drop_next_room(); // its blades may grow otherwise
+	_next_room.drop(); // its blades may grow otherwise
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // replies still on their way belong to the old field
 	if (has_other_blades) { // plants are set again
@@ -154,34 +114,13 @@ void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	_share = -1.0f; // the next frame mixes again, if frames do
-	const bool is_prepared = _next_room && _next_room->get_slots() == p_slots;
-	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end()), room = is_prepared ? std::move(_next_room) : nullptr](
+	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end()), room = _next_room.take(p_slots)](
 				 GpuField &r_field) { r_field.resize_pool(p_slots, moves, room.get()); });
 }
 
 bool GpuBackend::prepare_pool(int p_slots) {
-	if (_room_to_come.valid() && _room_to_come.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-		_next_room = _room_to_come.get();
-	}
-	if (_next_room && _next_room->get_slots() != p_slots) {
-		drop_next_room();
-	}
-	if (p_slots > 0 && !_next_room && !_room_to_come.valid()) {
-		const bool has_species = kind_of(_setup).species;
-		const PoolRoom::Kind kind{ _setup.is_mapped || has_species, has_species, _is_between, _has_motion };
-		_room_to_come = run_beside([p_slots, kind] { return std::make_shared<PoolRoom>(p_slots, kind); });
-	}
-	return _next_room != nullptr;
-}
-
-void GpuBackend::drop_next_room() {
-	if (_room_to_come.valid()) {
-		post([room = std::make_shared<std::future<std::shared_ptr<PoolRoom>>>(std::move(_room_to_come))](
-					 GpuField &) { room->get().reset(); });
-	}
-	if (_next_room) {
-		post([room = std::move(_next_room)](GpuField &) mutable { room.reset(); });
-	}
+	const bool has_species = kind_of(_setup).species;
+	return _next_room.prepare(p_slots, { _setup.is_mapped || has_species, has_species, _is_between, _has_motion });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
@@ -309,7 +248,7 @@ BackendStatistics GpuBackend::get_statistics() {
 BackendMemory GpuBackend::get_memory() const {
 	BackendMemory memory;
 	memory.shared = int64_t(_setup.patch->texels.size()) * 2; // as a texture
-	memory.pool_tile = GpuField::find_pool_tile_bytes(_is_between);
+	memory.pool_tile = PoolRoom::find_slot_bytes(_is_between);
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_LISTED_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
 	memory.pool = _report->statistics.pool_bytes;

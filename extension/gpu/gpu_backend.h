@@ -10,6 +10,7 @@
 #include "draw/field_instance.h"
 #include "draw/plants.h"
 #include "gpu/field_passes.h"
+#include "gpu/next_room.h"
 #include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
 #include "gpu/render_queue.h"
@@ -17,13 +18,11 @@
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/texture2drd.hpp>
 
-#include <future>
 #include <utility>
 
 namespace grass {
 
 class GpuField;
-class PoolRoom;
 struct FieldMultiMeshes;
 struct GpuReport;
 struct KnotReport;
@@ -74,7 +73,6 @@ private:
 	// 8.6 MB. More: a driver takes longer to make them than a frame has to spare. Fewer: tiles wait for a tick or two more often.
 	static constexpr int SLOTS_AT_ONCE = 256;
 
-	void drop_next_room();
 	FieldMultiMeshes multimeshes() const;
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
@@ -115,8 +113,7 @@ private:
 	KnotWatch _watch;
 	std::shared_ptr<KnotReport> _knot_report; // of the running field
 	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
-	std::future<std::shared_ptr<PoolRoom>> _room_to_come; // on a thread
-	std::shared_ptr<PoolRoom> _next_room;
+	NextRoom _next_room;
 	std::shared_ptr<GpuField> _field; // used only by jobs on the render thread
 };
 

@@ -72,10 +72,6 @@ struct GpuReport {
 class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
-	// Returns the bytes of each tile of the pool, used or not, with a map, several species and motion vectors. p_is_between: see
-	// set_between().
-	static int64_t find_pool_tile_bytes(bool p_is_between);
-
 	// p_patch: the renderer's patch texture. p_pool, p_drawn: receive the textures of the pool and of the drawn tiles.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);

@@ -19,11 +19,7 @@ void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves, PoolR
 	_table_changed = true;
 	if (p_slots != _pool_size) {
 		CpuClock clock;
-		if (p_room != nullptr) {
-			take_room(*p_room, p_moves);
-		} else {
-			make_pool(p_slots, p_moves);
-		}
+		p_room != nullptr ? take_room(*p_room, p_moves) : make_pool(p_slots, p_moves);
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.pool_makings++;
 		_report->statistics.pool_ms = clock.lap();
@@ -38,11 +34,7 @@ void GpuField::make_pool(int p_slots, std::span<const SlotMove> p_moves) {
 // Swaps the old memory for the new one, which begins as zeros: a replay must not depend on what a device left there.
 void GpuField::take_room(PoolRoom &r_room, std::span<const SlotMove> p_moves) {
 	const int slots = r_room.get_slots(), kept = std::min(_used_rows, slots);
-	for (GpuBuffer *buffer : { &r_room.knots, &r_room.halves, &r_room.twists, &r_room.energy, &r_room.growth, &r_room.blade_species }) {
-		if (buffer->rid().is_valid()) {
-			buffer->clear();
-		}
-	}
+	r_room.clear();
 	_pool_size = slots;
 	_knots.swap_parts(r_room.knots, SLOT_BYTES, kept, p_moves);
 	_halves.swap_parts(r_room.halves, int64_t(sizeof(uint32_t)), kept, p_moves);
@@ -79,11 +71,6 @@ void GpuField::take_textures(PoolRoom &r_room, int p_kept, std::span<const SlotM
 		move_rows(old_before, _before_texture, p_kept, p_moves);
 		replace_texture(_before, old_before, _before_texture);
 	}
-}
-
-int64_t GpuField::find_pool_tile_bytes(bool p_is_between) {
-	return (p_is_between ? 4 : 2) * POOL_ROW_BYTES + SLOT_BYTES + PoolRoom::TWIST_BYTES + int64_t(sizeof(uint32_t) + sizeof(vec4)) +
-			PoolRoom::GROWTH_BYTES + PoolRoom::SPECIES_BYTES;
 }
 
 } // namespace grass

@@ -32,6 +32,19 @@ PoolRoom::~PoolRoom() {
 	}
 }
 
+void PoolRoom::clear() {
+	for (GpuBuffer *buffer : { &knots, &halves, &twists, &energy, &growth, &blade_species }) {
+		if (buffer->rid().is_valid()) {
+			buffer->clear();
+		}
+	}
+}
+
+int64_t PoolRoom::find_slot_bytes(bool p_is_mixed) {
+	return (p_is_mixed ? 4 : 2) * POOL_ROW_BYTES + SLOT_BYTES + TWIST_BYTES + int64_t(sizeof(uint32_t) + sizeof(vec4)) + GROWTH_BYTES +
+			SPECIES_BYTES;
+}
+
 RID PoolRoom::take_rows(Rows p_rows) {
 	const RID made = std::exchange(_rows[size_t(p_rows)], RID());
 	return made.is_valid() ? made : make_rows(p_rows, _slots);

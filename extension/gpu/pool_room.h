@@ -26,6 +26,11 @@ public:
 	// Returns a texture that is the caller's from now on. One that its kind does not have is made now.
 	godot::RID take_rows(Rows p_rows);
 
+	// Sets all buffers to zeros.
+	void clear();
+	// Returns the bytes of each slot of a field with a map, several species and motion vectors. p_is_mixed: see Kind.
+	static int64_t find_slot_bytes(bool p_is_mixed);
+
 	// By slot, see GpuField. What is in them is undefined.
 	GpuBuffer knots, halves, twists, energy, growth, blade_species;
 

@@ -154,40 +154,40 @@ TEST_CASE("tiles: slots exist as tiles need them, in powers of two, and go some 
 
 TEST_CASE("tiles: many slots are prepared before they are there, and until then tiles wait without taking any from others") {
 	TileManager manager = make_manager(4096);
-	manager.set_slots_at_once(64);
+	manager.get_room_plan().set_ready(64, 0);
 	std::vector<ColliderShape> balls;
 	for (int i = 0; i < 300; i++) {
 		balls.push_back(make_ball(manager, i % 39, i / 39));
 	}
 	step(manager, { balls.begin(), balls.begin() + 40 });
 	CHECK(manager.get_room() == 64);
-	CHECK(manager.get_wanted_room() == 0);
+	CHECK(manager.get_room_plan().get_wanted() == 0);
 	for (int i = 0; i < 3; i++) {
 		step(manager, { balls.begin() + 20, balls.end() });
 		check_consistent(manager);
 		CHECK(manager.get_statistics().awake == 64);
 		CHECK(manager.get_statistics().evicted == 0);
-		CHECK(manager.get_wanted_room() == 512);
-		manager.set_prepared_room(0);
+		CHECK(manager.get_room_plan().get_wanted() == 512);
+		manager.get_room_plan().set_ready(64, 0);
 	}
-	manager.set_prepared_room(512);
+	manager.get_room_plan().set_ready(64, 512);
 	step(manager, { balls.begin() + 20, balls.end() });
 	check_consistent(manager);
 	CHECK(manager.get_statistics().awake == 300);
 	CHECK(manager.get_statistics().woken == 300);
 	CHECK(manager.get_room() == 512);
-	CHECK(manager.get_wanted_room() == 0);
+	CHECK(manager.get_room_plan().get_wanted() == 0);
 	for (int i = 0; i < 60; i++) {
 		step(manager, { balls.begin() + 200, balls.end() });
 	}
 	REQUIRE(manager.get_statistics().awake == 100);
 	CHECK(manager.trim(3.1).empty()); // 256 of them are not there yet
 	CHECK(manager.get_room() == 512);
-	CHECK(manager.get_wanted_room() == 256);
-	manager.set_prepared_room(256);
+	CHECK(manager.get_room_plan().get_wanted() == 256);
+	manager.get_room_plan().set_ready(64, 256);
 	CHECK(manager.trim(0.1).size() > 0);
 	CHECK(manager.get_room() == 256);
-	CHECK(manager.get_wanted_room() == 0);
+	CHECK(manager.get_room_plan().get_wanted() == 0);
 	step(manager, { balls.begin() + 200, balls.end() });
 	check_consistent(manager);
 	CHECK(manager.get_statistics().woken == 300);

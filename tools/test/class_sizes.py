@@ -13,12 +13,12 @@ SKIPPED = ("binding", "old_glibc")
 LIMIT = 400
 # Headers of larger classes, with their lines. An entry may only shrink, and leaves when its class fits.
 LARGER = {
-	"extension/core/tiles/tile_meetings.h": 716,
-	"extension/core/tiles/tiles.h": 802,
+	"extension/core/tiles/tile_meetings.h": 707,
+	"extension/core/tiles/tiles.h": 800,
 	"extension/editor/brush_toolbar.h": 601,
 	"extension/editor/grass_editor_plugin.h": 784,
-	"extension/gpu/gpu_backend.h": 456,
-	"extension/gpu/gpu_field.h": 793,
+	"extension/gpu/gpu_backend.h": 434,
+	"extension/gpu/gpu_field.h": 790,
 	"extension/ground/field_terrain.h": 458,
 	"extension/world/grass_world.h": 593,
 	"extension/world/world_plots.h": 534,

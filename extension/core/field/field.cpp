@@ -60,9 +60,7 @@ void Field::forget_map() {
 void Field::set_params(const FieldParams &p_params) {
 	_params = p_params;
 	_params.solver.method = _setup.method;
-	for (SolverParams &species : _params.species) {
-		species.method = _setup.method;
-	}
+	std::ranges::for_each(_params.species, [this](SolverParams &r_species) { r_species.method = _setup.method; });
 }
 
 void Field::rest() {
@@ -88,9 +86,9 @@ void Field::fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves) 
 
 // Where all blades are simulated, a replay gets the same slots in the same step.
 void Field::prepare_pool(Simulator &r_simulator) {
-	const int wanted = _tiles.get_wanted_room();
-	_tiles.set_slots_at_once(_params.detail == SimulationDetail::WHOLE ? TileParams::MAX_POOL_SIZE : r_simulator.get_slots_at_once());
-	_tiles.set_prepared_room(r_simulator.prepare_pool(wanted) ? wanted : 0);
+	const int wanted = _tiles.get_room_plan().get_wanted(), most = TileParams::MAX_POOL_SIZE;
+	const bool is_whole = _params.detail == SimulationDetail::WHOLE, is_ready = r_simulator.prepare_pool(wanted);
+	_tiles.get_room_plan().set_ready(is_whole ? most : r_simulator.get_slots_at_once(), is_ready ? wanted : 0);
 }
 
 TileParams Field::tile_params() const {

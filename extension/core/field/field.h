@@ -66,7 +66,7 @@ public:
 	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
 	// Returns true while slots exist: ticks must go on, so that they are freed.
-	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0 || _tiles.get_wanted_room() > 0; }
+	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0 || _tiles.get_room_plan().get_wanted() > 0; }
 	// Returns true once after skipped ticks: bodies have moved meanwhile, and must not sweep the grass on their way.
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. Returns true if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are

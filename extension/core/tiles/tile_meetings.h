@@ -12,6 +12,7 @@
 #include "core/tiles/tile_map.h"
 #include "core/tiles/tile_params.h"
 #include "core/tiles/tile_view.h"
+#include "core/tiles/tile_way.h"
 
 #include <algorithm>
 #include <array>
@@ -80,16 +81,7 @@ private:
 		uint16_t x, z;
 		int slot;
 	};
-	// A collider's path in the step, or a piece of a long one.
-	struct Way {
-		Bounds swept; // the box around it
-		TileRange range; // tiles that it may meet
-		uint32_t collider;
-		uint32_t squares = 0; // index of the first square of its range
-		int asleep = 0; // number of sleeping tiles in the range
-		bool is_kept = false; // it meets what it met in the last step
-		bool is_seen = false; // cameras see tiles of its range; not computed while the list has room for all
-	};
+	using Way = TileWay;
 	// What ways may meet together: the most that one of them may, and what is left for those that follow.
 	struct Limits {
 		int64_t most, left;
@@ -97,18 +89,7 @@ private:
 	using LimitsBySight = std::array<Limits, 2>; // of ways out of view, and of those in view
 	// What a collider has met.
 	enum Met : uint8_t { MET_NOTHING, MET_GRASS, MET_AWAKE };
-	// What a collider was in the last step, and the results for one with a stamp.
-	struct Known {
-		uint64_t owner = 0;
-		int type = -1; // unknown
-		Eigen::Vector3d half_extents, place;
-		uint64_t stamp = 0; // 0: unknown
-		Bounds swept;
-		TileRange whole, range; // the full range, and the range that the list had room for
-		uint32_t first = 0, count = 0; // its slots
-		bool is_good = false; // otherwise it was rejected
-		bool is_complete = false; // all tiles that it meets have slots
-	};
+	using Known = KnownWay;
 
 	// A group of PARALLEL_BLOCK consecutive colliders, for one thread at a time. All of it but known_slots_before is for one step.
 	struct Block {

@@ -34,8 +34,7 @@ void TileManager::reset() {
 	_followers.clear();
 	_bends.clear();
 	_reported_step = _bend_step = 0;
-	_slack_time = 0.0;
-	_prepared_room = _wanted_room = _trim_room = 0;
+	_room_plan.reset();
 	_meetings.reset();
 	_record_count = 0;
 	_colliders.clear();
@@ -68,7 +67,11 @@ void TileManager::begin_step() {
 }
 
 void TileManager::activate_tiles() {
-	hold_back();
+	const int needed = std::min(_used.count() + int(_meetings.get_wanted().size()), get_limit());
+	const int next = _room_plan.find_next(needed, _room, _params.pool_size);
+	if (needed > next) { // tiles for which there are no slots yet are met again in the next step
+		_meetings.hold_back(size_t(next - _used.count()));
+	}
 	_given_slots.clear();
 	const std::vector<int> &wanted = _meetings.get_wanted();
 	for (const int tile : wanted) {

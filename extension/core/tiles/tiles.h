@@ -6,6 +6,7 @@
 #include "core/lod/tile_detail.h"
 #include "core/solver/step.h"
 #include "core/tiles/pool_budget.h"
+#include "core/tiles/room_plan.h"
 #include "core/tiles/tile_colliders.h"
 #include "core/tiles/tile_meetings.h"
 #include "core/tiles/tile_params.h"
@@ -44,12 +45,8 @@ public:
 	// Returns how many slots exist: none before a tile wakes, then a power of two, as long as the pool may have so many. update() makes
 	// more when tiles wake.
 	int get_room() const { return _room; }
-	// Sets how slots are made: up to p_at_once of them when they are needed; more only once they are prepared, see get_wanted_room(). Until
-	// then tiles wait.
-	void set_slots_at_once(int p_at_once) { _at_once = p_at_once; }
-	// Returns how many slots the last update or trim() wanted and should be prepared, 0: none.
-	int get_wanted_room() const { return _wanted_room > 0 ? _wanted_room : _trim_room; }
-	void set_prepared_room(int p_slots) { _prepared_room = p_slots; } // for the next trim() and update(); 0: none
+	RoomPlan &get_room_plan() { return _room_plan; }
+	const RoomPlan &get_room_plan() const { return _room_plan; }
 	// Must be called once in each tick of p_delta seconds. Frees slots that were not needed for some seconds, and returns the tiles that
 	// have others now.
 	std::vector<SlotMove> trim(double p_delta);
@@ -169,8 +166,6 @@ private:
 	void rest_calmest(int p_count, std::vector<SlotMove> &r_moves);
 	void set_room(int p_slots, std::vector<SlotMove> &r_moves);
 	void forget_step();
-	void hold_back();
-	int find_next_room(int p_needed) const;
 	int take_slot(size_t p_wanted);
 	void move_slot(int p_from, int p_to);
 	std::array<SlotSet *, 10> slot_sets() {
@@ -209,10 +204,7 @@ private:
 	// The pool: the state of every slot that exists. _used is the paper's ActivatedTileList.
 	int _room = 0;
 	int _granted = PoolBudget::MOST_TILES; // tiles
-	double _slack_time = 0.0; // seconds for which far more slots have existed than were needed
-	int _at_once = TileParams::MAX_POOL_SIZE; // slots
-	int _prepared_room = 0; // slots; 0: none
-	int _wanted_room = 0, _trim_room = 0; // slots that should be prepared: more than exist, or fewer; 0: none
+	RoomPlan _room_plan;
 	std::vector<Times> _times;
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;

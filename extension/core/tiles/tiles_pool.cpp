@@ -4,27 +4,9 @@
 
 #include "core/base/resize_exactly.h"
 
-#include <bit>
 #include <utility>
 
 namespace grass {
-
-namespace {
-
-// The first slots that a tile makes room for; then their number doubles. More: each field that a single body visits takes more memory.
-// Fewer: more often all of them are copied.
-constexpr int FIRST_ROOM = 16;
-// Slots are freed once so many times as many exist as the awake tiles need, for so many seconds; room for twice the tiles is kept. Less:
-// memory comes and goes with every body that passes.
-constexpr int MUCH = 4;
-constexpr double TRIM_AFTER = 3.0;
-
-// Returns the room for a number of awake tiles.
-int room_for(int p_tiles) {
-	return p_tiles > 0 ? std::max(FIRST_ROOM, int(std::bit_ceil(unsigned(p_tiles)))) : 0;
-}
-
-} // namespace
 
 std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 	TileParams params = _params;
@@ -50,36 +32,12 @@ std::vector<SlotMove> TileManager::fit_limit() {
 }
 
 std::vector<SlotMove> TileManager::trim(double p_delta) {
-	const int needed = room_for(_used.count());
-	_slack_time = _room > 0 && needed * MUCH <= _room ? _slack_time + std::max(p_delta, 0.0) : 0.0;
 	std::vector<SlotMove> moves;
-	_trim_room = _slack_time >= TRIM_AFTER ? 2 * needed : 0;
-	if (_slack_time >= TRIM_AFTER && (_trim_room <= _at_once || _trim_room == _prepared_room)) {
-		_slack_time = 0.0;
-		set_room(std::exchange(_trim_room, 0), moves);
+	const int room = _room_plan.find_trimmed(_used.count(), _room, p_delta);
+	if (room != RoomPlan::KEEP) {
+		set_room(room, moves);
 	}
 	return moves;
-}
-
-// Lets tiles wait for which there are no slots yet. They are met again in the next step.
-void TileManager::hold_back() {
-	const int needed = std::min(_used.count() + int(_meetings.get_wanted().size()), get_limit());
-	const int next = needed > _room ? find_next_room(needed) : _room;
-	if (needed <= next) {
-		_wanted_room = 0;
-		return;
-	}
-	_meetings.hold_back(size_t(next - _used.count()));
-	if (_wanted_room <= next) { // else what was begun goes on
-		_wanted_room = std::min(room_for(needed), _params.pool_size);
-	}
-}
-
-// Returns how many slots there can be in this step if tiles need p_needed of them, which are more than exist.
-int TileManager::find_next_room(int p_needed) const {
-	const int wanted = std::min(room_for(p_needed), _params.pool_size);
-	const int most = std::min(std::max(_at_once, _prepared_room), _params.pool_size);
-	return wanted <= _at_once ? wanted : std::max(most, _room);
 }
 
 // Tiles that have slots beyond the new room get others.
@@ -92,7 +50,7 @@ void TileManager::set_room(int p_slots, std::vector<SlotMove> &r_moves) {
 		}
 	}
 	const int before = std::exchange(_room, p_slots);
-	_prepared_room = 0;
+	_room_plan.made();
 	const auto resize = [this](auto &r_states, size_t p_for_each = 1) { resize_exactly(r_states, p_for_each * size_t(_room)); };
 	resize(_times);
 	resize(_motions);
@@ -141,7 +99,7 @@ int TileManager::take_slot(size_t p_wanted) {
 		return slot;
 	}
 	std::vector<SlotMove> none;
-	set_room(find_next_room(std::min(_room + int(p_wanted), get_limit())), none);
+	set_room(_room_plan.find_possible(std::min(_room + int(p_wanted), get_limit()), _room, _params.pool_size), none);
 	return _free.take_lowest();
 }
 
