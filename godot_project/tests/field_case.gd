@@ -18,6 +18,8 @@ func add_field(properties := {}) -> GrassField:
 	field.wind_speed = 0.0
 	field.border_fade = 0.0
 	for property: String in properties:
+		if not property in field:
+			fail("a GrassField has no property " + property)
 		field.set(property, properties[property])
 	add_child(field)
 	return field

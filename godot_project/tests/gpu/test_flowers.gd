@@ -95,7 +95,7 @@ func test_flowers_bend_with_their_blades() -> void:
 		{
 			species = [violet],
 			density = 16.0,
-			ground = false,
+			soil_enabled = false,
 			lod_far = 1000.0,
 			pixels_min = 0.0,
 			sleep_mode = GrassField.SLEEP_TIMER,

@@ -42,7 +42,7 @@ func test_hues_differ_from_clump_to_clump_and_not_in_the_mean() -> void:
 		var varied := await picture()
 		save(varied, "hues_%d" % height)
 		print("    %d m: hues spread by %.3f, %.3f without" % [height, spread_of_hues(varied), spread_of_hues(even)])
-		assert_greater(spread_of_hues(varied), 2.0 * spread_of_hues(even) + 0.05)
+		assert_greater(spread_of_hues(varied), 1.5 * spread_of_hues(even) + 0.05)
 		for channel in 3:
 			assert_near(light_of(varied)[channel] / light_of(even)[channel], 1.0, 0.08, "channel %d of the mean" % channel)
 

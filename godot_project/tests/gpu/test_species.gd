@@ -18,7 +18,7 @@ func add_markers(properties := {}, own := {}) -> GrassField:
 				clump_tint = 0.0,
 				clump_height = 0.0,
 				clump_lean = 0.0,
-				ground = false,
+				soil_enabled = false,
 				root_shade = 0.0,
 				pixels_min = 4.0,
 				lod_far = 1000.0,

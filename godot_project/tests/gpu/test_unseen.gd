@@ -193,6 +193,20 @@ func test_who_listens_is_told_though_nobody_sees() -> void:
 	assert_eq(field.get_statistics().drawn_tiles, 0)
 
 
+func test_who_listens_for_leaving_alone_is_told_though_nobody_sees() -> void:
+	var field := add_seen_field()
+	var body := add_seen_body(Vector3(0.25, 20.0, 0.25))
+	look(Vector3(0, 1, 12), Vector3(0, 1, 30))
+	await drawn()
+	var left := []
+	field.body_exited_grass.connect(left.append)
+	body.position.y = 0.2
+	await ticks(10)
+	body.position.y = 20.0
+	await ticks(10)
+	assert_eq(left, [body])
+
+
 func test_the_renderer_is_told_of_changes_only() -> void:
 	var field := add_seen_field({wind_speed = 3.0})
 	look(Vector3(0, 1, 4), Vector3.ZERO)

@@ -118,6 +118,20 @@ func test_explain_names_the_level() -> void:
 	assert_true(answer.text.contains("No other field"), answer.text)
 
 
+## Of several fields that have their ground at a place the one with the nearest ground is named, whichever was added first.
+func test_explain_names_the_nearest_level() -> void:
+	await add_levels()
+	for nearer: float in [DECK + 0.2, DECK - 0.3]:
+		var field := add_field(
+			{name = "Planter", size = Vector2(2, 2), position = Vector3(0, nearer, 0), ground_low = -2.0, ground_high = 2.0}
+		)
+		await grown(field)
+		var place := Vector3(0.25, nearer, 0.25)
+		assert_eq(meadow.explain(place).node, field)
+		assert_eq(meadow.explain(ON_DECK).node, bridge)
+		field.free()
+
+
 func test_bands_that_are_none() -> void:
 	meadow = add_field()
 	await grown(meadow)

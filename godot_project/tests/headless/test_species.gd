@@ -99,6 +99,20 @@ func test_a_field_keeps_its_species_and_says_what_is_wrong_with_them() -> void:
 	assert_eq(field.get_blade_species(Vector2i.ZERO, 5), 0)
 
 
+func test_a_field_hears_of_its_own_species_only() -> void:
+	var field := add_field()
+	var left := make(0.5)
+	var kept := make(0.5)
+	for list: Array in [[left, kept, left], [kept], [kept, kept]]:
+		var species: Array[GrassSpecies] = []
+		species.assign(list)
+		field.species = species
+		assert_eq(left.changed.get_connections().size(), 1 if left in list else 0)
+		assert_eq(kept.changed.get_connections().size(), 1)
+	field.species = []
+	assert_eq(kept.changed.get_connections().size(), 0)
+
+
 func test_each_species_has_its_share_and_its_blades() -> void:
 	var field := add_field(
 		{
