@@ -34,7 +34,6 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
-	_next_room.drop();
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture

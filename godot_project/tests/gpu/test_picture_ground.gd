@@ -61,15 +61,23 @@ func test_sparse_grass_stands_on_soil_and_litter_not_on_a_green_carpet() -> void
 	assert_greater(bare.r, bare.g, "earth is not green")
 
 
+## The mean light and the greatest contrast of four pictures, the first from `height` metres, each next one `step` higher.
+func near_ground(height: float, step: float) -> Dictionary:
+	var mean := Color(0, 0, 0, 0)
+	var most := 0.0
+	for n in 4:
+		var image := await ground_picture(height + step * n)
+		most = maxf(most, contrast(image))
+		mean += 0.25 * light(image)
+	return {light = mean, contrast = most}
+
+
 ## The mean of the ground is the same however many pixels show it, so that nothing shimmers and no line is seen.
 func test_ground_has_the_same_mean_near_and_far() -> void:
 	await add_ground()
-	var near := Color(0, 0, 0, 0)
-	var most := 0.0
-	for n in 4:
-		var image := await ground_picture(0.5 + 0.2 * n)
-		most = maxf(most, contrast(image))
-		near += 0.25 * light(image)
+	var seen := await near_ground(0.5, 0.2)
+	var near: Color = seen.light
+	var most: float = seen.contrast
 	save(await ground_picture(0.5), "ground_near")
 	var far_picture := await ground_picture(30.0)
 	save(far_picture, "ground_far")
@@ -87,12 +95,9 @@ func test_a_path_is_earth_where_the_field_has_bare_soil() -> void:
 	camera.size = 2.0
 	var floor_below := light(await ground_picture(2.0))
 	field.bare_soil = 1.0
-	var near := Color(0, 0, 0, 0)
-	var most := 0.0
-	for n in 4:
-		var image := await ground_picture(0.6 + 0.3 * n)
-		most = maxf(most, contrast(image))
-		near += 0.25 * light(image)
+	var seen := await near_ground(0.6, 0.3)
+	var near: Color = seen.light
+	var most: float = seen.contrast
 	save(await ground_picture(1.0), "path_near")
 	var far := light(await ground_picture(14.0))
 	print("    floor %s, path near %s with a contrast of %.2f, far %s" % [floor_below, near, most, far])

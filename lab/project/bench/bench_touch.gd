@@ -62,7 +62,7 @@ func _turn(p_name: String, p_field: GrassField) -> Array[PackedStringArray]:
 	var woken := 0
 	for frame in range(-BEFORE, FRAMES):
 		if frame == 0:
-			_add_bodies()
+			_bodies = Scenery.add_crowd(self, int(CROWD * _share), 0.9 * _side())
 		for body in _bodies:
 			body.position.x += SPEED / Engine.physics_ticks_per_second
 		await RenderingServer.frame_post_draw
@@ -78,21 +78,6 @@ func _turn(p_name: String, p_field: GrassField) -> Array[PackedStringArray]:
 		woken = counters.get("woken", 0)
 		rows.append(row)
 	return rows
-
-
-func _add_bodies() -> void:
-	var side := 0.9 * _side()
-	for i in int(CROWD * _share):
-		var body := AnimatableBody3D.new()
-		body.sync_to_physics = false
-		var shape := CollisionShape3D.new()
-		var ball := SphereShape3D.new()
-		ball.radius = 0.4
-		shape.shape = ball
-		body.add_child(shape)
-		body.position = side * Vector3(fposmod(0.618 * i, 1.0) - 0.5, 0, fposmod(0.414 * i, 1.0) - 0.5) + Vector3(0, 0.3, 0)
-		add_child(body)
-		_bodies.append(body)
 
 
 func _clear() -> void:

@@ -58,7 +58,7 @@ func _measure(p_cut: int) -> PackedStringArray:
 	var idle := await _frames(int(_share * FRAMES))
 	var draws := RenderingServer.get_rendering_info(RenderingServer.RENDERING_INFO_TOTAL_DRAW_CALLS_IN_FRAME)
 	for lawn in lawns:
-		_add_body(lawn.position + Vector3(0, 0.2, 0))
+		_walkers.append(Scenery.add_ball(self, lawn.position + Vector3(0, 0.2, 0)))
 	await _frames(10)
 	row.append("%.1f" % (1e-6 * (Performance.get_monitor(Performance.RENDER_VIDEO_MEM_USED) - video_before)))
 	var pool := 0
@@ -69,15 +69,15 @@ func _measure(p_cut: int) -> PackedStringArray:
 	row.append("%.4f" % Measure.median(idle))
 	_clear()
 	for i in WALKERS:
-		_add_body(Vector3(0.9 * _side() * ((i + 0.5) / WALKERS - 0.5), 0.3, 0.8 * _side() * (fposmod(0.37 * i, 1.0) - 0.5)))
+		var aside := 0.8 * _side() * (fposmod(0.37 * i, 1.0) - 0.5)
+		_walkers.append(Scenery.add_ball(self, Vector3(0.9 * _side() * ((i + 0.5) / WALKERS - 0.5), 0.3, aside)))
 	await _frames(int(_share * WARM_UP), true)
 	var walk := await _frames(int(_share * FRAMES), true)
 	row.append("%.4f" % Measure.median(walk))
 	row.append("%.4f" % _percentile(walk, 0.9))
 	_clear()
 	await _frames(int(_share * 600) + 5)  # the grass sleeps, and slots go
-	for i in CROWD:
-		_add_body(_side() * 0.9 * Vector3(fposmod(0.618 * i, 1.0) - 0.5, 0, fposmod(0.414 * i, 1.0) - 0.5) + Vector3(0, 0.3, 0))
+	_walkers = Scenery.add_crowd(self, CROWD, 0.9 * _side())
 	var crowd := await _frames(int(_share * FRAMES), true)
 	row.append("%.4f" % Measure.median(crowd))
 	row.append("%.4f" % _percentile(crowd, 1.0))
@@ -92,19 +92,6 @@ func _percentile(p_values: Array[float], p_share: float) -> float:
 	var sorted := p_values.duplicate()
 	sorted.sort()
 	return sorted[mini(int(p_share * sorted.size()), sorted.size() - 1)] if sorted else 0.0
-
-
-func _add_body(p_place: Vector3) -> void:
-	var body := AnimatableBody3D.new()
-	body.sync_to_physics = false
-	var shape := CollisionShape3D.new()
-	var ball := SphereShape3D.new()
-	ball.radius = 0.4
-	shape.shape = ball
-	body.add_child(shape)
-	body.position = p_place
-	add_child(body)
-	_walkers.append(body)
 
 
 func _clear() -> void:

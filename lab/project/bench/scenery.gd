@@ -54,6 +54,29 @@ static func throw(p_to: Node3D, p_count: int, p_side: float, p_seed: int) -> Arr
 	return thrown
 
 
+## A ball of 0.4 m that its benchmark moves.
+static func add_ball(p_to: Node3D, p_place: Vector3) -> AnimatableBody3D:
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	var shape := CollisionShape3D.new()
+	var ball := SphereShape3D.new()
+	ball.radius = 0.4
+	shape.shape = ball
+	body.add_child(shape)
+	body.position = p_place
+	p_to.add_child(body)
+	return body
+
+
+## Balls in no order over p_side metres.
+static func add_crowd(p_to: Node3D, p_count: int, p_side: float) -> Array[AnimatableBody3D]:
+	var balls: Array[AnimatableBody3D] = []
+	for i in p_count:
+		var place := p_side * Vector3(fposmod(0.618 * i, 1.0) - 0.5, 0, fposmod(0.414 * i, 1.0) - 0.5)
+		balls.append(add_ball(p_to, place + Vector3(0, 0.3, 0)))
+	return balls
+
+
 ## A flat box in the tips of the grass, p_side metres wide: every tile below it is awake and has one object.
 static func add_lid(p_to: Node3D, p_side: float) -> AnimatableBody3D:
 	var body := AnimatableBody3D.new()
