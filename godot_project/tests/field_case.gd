@@ -6,6 +6,7 @@ const BLADES := 64  # of a tile
 const KNOTS := 16  # of a blade
 const PAUSE_MOST := 100  # milliseconds
 const CLAMPED := 2  # knots at the root that never move
+const CLAMP_SHARE := 1.0 / 60  # of a blade's length that is between them
 const LATE := 3  # frames from the tick whose step is the first to the frame in which `steps` counts it, at most
 
 

@@ -38,7 +38,7 @@ func blade_differences(tile: Vector2i, field := gpu) -> PackedFloat64Array:
 	var off := PackedFloat64Array()
 	for blade in BLADES:
 		var knots := blade_of(others, blade)
-		off.append(farthest(knots, blade_of(by_cpu, blade)) / (15 * knots[0].distance_to(knots[1])))
+		off.append(farthest(knots, blade_of(by_cpu, blade)) * CLAMP_SHARE / knots[0].distance_to(knots[1]))
 	return off
 
 

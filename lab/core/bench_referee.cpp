@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far the chain is, while a ball rolls through blades, from a rod that shares nothing with it: point masses on stiff springs that
 // resist stretching and, by second differences, bending; explicit steps; contact by damped penalty forces. Round blades, straight or
-// leaning, without friction. The clamp, a blade's first segment, is as long as the others, or shorter: a prototype, since fields have
-// equal segments. Prints a table; lab/results/solver.md quotes it. One core takes some minutes.
+// leaning, without friction. Prints a table; lab/results/solver.md quotes it. One core takes some minutes.
 #include "blade_scene.h"
 
 #include <Eigen/Dense>
@@ -166,41 +165,19 @@ struct Way {
 	int iterations;
 	double contact_rate;
 };
-// Chains that differ from those of a field.
-struct Prototype {
-	double clamp; // length of the first segment over that of one of GRASS_SEGMENTS equal ones
-	double swing_speed_max; // blade lengths a second
-};
-
-// How far along the blade knot p_knot is, shares of its length.
-double share_of(int p_knot, double p_clamp) {
-	const double first = p_clamp / GRASS_SEGMENTS;
-	return p_knot == 0 ? 0.0 : first + (1.0 - first) * (p_knot - 1) / (GRASS_SEGMENTS - 1);
-}
-Eigen::Vector3f place_on(const BladeScene &p_scene, int p_blade, double p_share, double p_clamp) {
-	int knot = 0;
-	while (knot < GRASS_SEGMENTS - 1 && share_of(knot + 1, p_clamp) < p_share) {
-		knot++;
-	}
-	const double from = share_of(knot, p_clamp), to = share_of(knot + 1, p_clamp);
-	const float part = float((p_share - from) / (to - from));
-	return p_scene.knot(p_blade, knot) * (1.0f - part) + p_scene.knot(p_blade, knot + 1) * part;
-}
-
-Places roll_through_chains(double p_speed, const Way &p_way, const Prototype &p_prototype) {
+Places roll_through_chains(double p_speed, const Way &p_way) {
 	BladeScene scene{ float(LENGTH) };
 	scene.params.natural_frequency = FREQUENCY;
 	scene.params.damping_ratio = DAMPING;
 	scene.params.taper = TAPERS;
 	scene.params.width_to_thickness = 1.0;
 	scene.params.friction = 0.0; // also that of the ground
-	scene.params.swing_speed_max = p_prototype.swing_speed_max;
 	scene.params.iterations = p_way.iterations;
 	scene.params.contact_rate = p_way.contact_rate;
 	for (int b = 0; b < BLADES; b++) {
 		scene.tile->root[2][b] = float(offset_of(b));
 		for (int k = 0; k < GRASS_KNOTS; k++) {
-			scene.set_rest(b, k, (direction_of(b) * (LENGTH * share_of(k, p_prototype.clamp))).cast<float>());
+			scene.set_rest(b, k, (direction_of(b) * (LENGTH * knot_share(k))).cast<float>());
 		}
 	}
 	scene.add(GRASS_SPHERE, { 0.0f, 0.0f, 0.0f }, { float(RADIUS), 0.0f, 0.0f });
@@ -212,7 +189,7 @@ Places roll_through_chains(double p_speed, const Way &p_way, const Prototype &p_
 		scene.step(1.0 / p_way.rate);
 		for (int b = 0; b < BLADES && (i + 1) % int(p_way.rate / FRAMES + 0.5) == 0; b++) {
 			for (int p = 1; p <= PLACES; p++) {
-				places.push_back(place_on(scene, b, double(p) / PLACES, p_prototype.clamp));
+				places.push_back(scene.place(b, double(p) / PLACES));
 			}
 		}
 	}
@@ -240,18 +217,13 @@ std::vector<double> errors_of(const Places &p_places, const Places &p_right) {
 int main() {
 	constexpr Way WAYS[] = { { "contact_rate 400", 60.0, 2, 400.0 }, { "contact_rate 800", 60.0, 2, 800.0 },
 		{ "contact_rate 1600", 60.0, 2, 1600.0 }, { "5760 steps a second", 5760.0, 8, 400.0 } };
-	constexpr Prototype PROTOTYPES[] = { { 1.0, SWING_SPEED_MAX.initial }, { 0.25, SWING_SPEED_MAX.initial },
-		{ 0.25, SWING_SPEED_MAX.maximum } };
-	std::printf("ball_m_s,clamp_segments,swing_speed_max,chain,median_lengths,p90_lengths\n");
+	std::printf("ball_m_s,chain,median_lengths,p90_lengths\n");
 	for (const double speed : { 1.0, 3.0, 5.0 }) {
 		const Places right = roll_through_rods(speed);
-		for (const Prototype &prototype : PROTOTYPES) {
-			for (const Way &way : WAYS) {
-				const std::vector<double> errors = errors_of(roll_through_chains(speed, way, prototype), right);
-				std::printf("%g,%g,%g,%s,%.4f,%.4f\n", speed, prototype.clamp, prototype.swing_speed_max, way.name, errors[BLADES / 2],
-						errors[BLADES * 9 / 10]);
-				std::fflush(stdout);
-			}
+		for (const Way &way : WAYS) {
+			const std::vector<double> errors = errors_of(roll_through_chains(speed, way), right);
+			std::printf("%g,%s,%.4f,%.4f\n", speed, way.name, errors[BLADES / 2], errors[BLADES * 9 / 10]);
+			std::fflush(stdout);
 		}
 	}
 	return 0;

@@ -262,7 +262,7 @@ void grow(TileState &r_tile, Pass &r_pass) {
 		r_tile.width[1][b] = float(std::sin(double(float(heading))));
 		double place[3] = { 0.0, 0.0, 0.0 };
 		for (int k = 1; k < GRASS_KNOTS; k++) {
-			const double lean = curve * (k - 0.5) / GRASS_SEGMENTS, size = double(LENGTH) / GRASS_SEGMENTS;
+			const double size = double(LENGTH) * segment_share(k - 1), lean = curve * (knot_share(k) - 0.5 * segment_share(k - 1));
 			const double ways[] = { std::sin(lean) * std::cos(heading + 2.0), std::cos(lean), std::sin(lean) * std::sin(heading + 2.0) };
 			for (int c = 0; c < 3; c++) {
 				place[c] += size * ways[c];

@@ -207,8 +207,8 @@ vec4 find_air() {
 }
 StrainBlade load_blade() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
-	float size = float(GRASS_SEGMENTS) * length(rest_of(1)); // all segments are equally long
-	return StrainBlade(vec3(cos(azimuth), 0.0, sin(azimuth)), size, 0.5 * float(GRASS_SEGMENTS) / max(size, 1e-12));
+	float size = grass_blade_length(rest_of(1));
+	return StrainBlade(vec3(cos(azimuth), 0.0, sin(azimuth)), size, 0.5 / max(size * float(GRASS_SEGMENT_SHARE), 1e-12));
 }
 
 // Whether a step would change nothing: the blade is at rest, and nothing moves it.

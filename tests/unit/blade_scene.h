@@ -39,6 +39,16 @@ inline float cos_of(float p_angle) {
 	return float(cosine(double(p_angle)));
 }
 
+// What p_at(knot) is at a share p_share of the way from root to tip.
+template <class At> Eigen::Vector3f between_knots(double p_share, const At &p_at) {
+	int below = 0;
+	while (below < GRASS_SEGMENTS - 1 && knot_share(below + 1) < p_share) {
+		below++;
+	}
+	const float part = float((p_share - knot_share(below)) / segment_share(below));
+	return p_at(below) * (1.0f - part) + p_at(below + 1) * part;
+}
+
 struct BladeScene {
 	std::unique_ptr<TileState> tile = std::make_unique<TileState>();
 	SolverParams params;
@@ -61,9 +71,9 @@ struct BladeScene {
 			Eigen::Vector3f knot = Eigen::Vector3f::Zero();
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				set_rest(b, k, knot);
-				const float angle = curve * float(k) / float(GRASS_SEGMENTS);
-				knot += length / GRASS_SEGMENTS *
-						Eigen::Vector3f(sin_of(angle) * cos_of(heading), cos_of(angle), sin_of(angle) * sin_of(heading));
+				const float angle = curve * float(knot_share(k));
+				const Eigen::Vector3f way(sin_of(angle) * cos_of(heading), cos_of(angle), sin_of(angle) * sin_of(heading));
+				knot += length * float(segment_share(k)) * way;
 			}
 		}
 	}
@@ -90,6 +100,10 @@ struct BladeScene {
 		const int free = p_knot - GRASS_CLAMPED_KNOTS;
 		return free < 0 ? rest(p_blade, p_knot)
 						: Eigen::Vector3f(tile->knots[0][free][p_blade], tile->knots[1][free][p_blade], tile->knots[2][free][p_blade]);
+	}
+	// The place at a share p_share of the way from root to tip.
+	Eigen::Vector3f place(int p_blade, double p_share) const {
+		return between_knots(p_share, [&](int p_knot) { return knot(p_blade, p_knot); });
 	}
 
 	// Bends every blade to a circular arc towards +x, p_angle (radians) from root to tip.

@@ -26,7 +26,7 @@ struct ElasticBlade {
 		params.width_to_thickness = 1.0;
 		blade.width = { 0.0, 0.0, 1.0 };
 		for (int k = 0; k < GRASS_KNOTS; k++) {
-			const Eigen::Vector3d place = p_place(double(k) / GRASS_SEGMENTS);
+			const Eigen::Vector3d place = p_place(knot_share(k));
 			blade.rest[k] = blade.knots[k] = blade.before[k] = { place.x(), place.y(), place.z() };
 		}
 	}
@@ -63,7 +63,7 @@ struct ElasticBlade {
 	// To an arc towards +x, p_angle radians from root to tip, standing still.
 	void bend(double p_angle) {
 		for (int k = 1; k < GRASS_SEGMENTS; k++) {
-			const double angle = p_angle * double(k) / (GRASS_SEGMENTS - 1), length = rest_length(k);
+			const double angle = p_angle * (knot_share(k) + 0.5 * segment_share(k)), length = rest_length(k);
 			blade.knots[k + 1] = blade.knots[k] + Vec3<double>{ length * std::sin(angle), length * std::cos(angle), 0.0 };
 			blade.before[k + 1] = blade.knots[k + 1];
 		}

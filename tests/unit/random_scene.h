@@ -82,18 +82,18 @@ private:
 			tile.species[b] = uint8_t(below(2));
 			const Eigen::Vector3f lean = within(b % 8 == 0 ? 0.0 : 0.4), curve = within(b % 8 == 0 ? 0.0 : 0.8);
 			const Eigen::Vector3f bent = within(b % 4 == 0 ? 0.0 : 1.5);
-			const float part = float(uniform(0.5, 1.0)) * _scene.length / GRASS_SEGMENTS;
+			const float part = float(uniform(0.5, 1.0)) * _scene.length;
 			Eigen::Vector3f rest = Eigen::Vector3f::Zero(), knot = rest;
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				_scene.set_rest(b, k, rest);
 				_scene.set_knot(b, k, knot);
-				const float share = float(k) / GRASS_SEGMENTS;
+				const float share = float(knot_share(k)), segment = part * float(segment_share(k));
 				const Eigen::Vector3f way = Eigen::Vector3f::UnitY() + lean + curve * share;
-				rest += way.normalized() * part;
+				rest += way.normalized() * segment;
 				if (b % 16 == 0 && k >= GRASS_CLAMPED_KNOTS) { // at rest but for a last bit of twist
 					tile.twist[k - GRASS_CLAMPED_KNOTS][b] = 1e-7f;
 				}
-				knot += (k < 1 ? way : Eigen::Vector3f(way + bent * share)).normalized() * part;
+				knot += (k < 1 ? way : Eigen::Vector3f(way + bent * share)).normalized() * segment;
 			}
 		}
 	}

@@ -20,7 +20,7 @@ struct Stepping {
 	double contact_rate; // Hz
 };
 
-// All blades at one time, metres: [blade][place], from place FIRST_PLACE of 15 between root and tip. With 16 knots places are knots.
+// All blades at one time, metres: [blade][place], from place FIRST_PLACE of 15 between root and tip.
 using Look = std::vector<Eigen::Vector3f>;
 inline constexpr int FIRST_PLACE = 2, LAST_PLACE = 15, PLACES = LAST_PLACE - FIRST_PLACE + 1;
 

@@ -27,8 +27,8 @@ inline BladeScene make_rolled(const Roll &p_roll) {
 		Eigen::Vector3f knot = Eigen::Vector3f::Zero();
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			scene.set_rest(b, k, knot);
-			const float angle = lean + curve * float(k) / GRASS_SEGMENTS;
-			knot += scene.length / GRASS_SEGMENTS *
+			const float angle = lean + curve * float(knot_share(k));
+			knot += scene.length * float(segment_share(k)) *
 					Eigen::Vector3f(sin_of(angle) * cos_of(heading), cos_of(angle), sin_of(angle) * sin_of(heading));
 		}
 	}
@@ -39,9 +39,7 @@ inline Look look_at_places(const BladeScene &p_scene) {
 	Look look;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 		for (int place = FIRST_PLACE; place <= LAST_PLACE; place++) {
-			const int knot = place * GRASS_SEGMENTS / LAST_PLACE, more = place * GRASS_SEGMENTS % LAST_PLACE;
-			const Eigen::Vector3f at = p_scene.knot(b, knot);
-			look.push_back(more == 0 ? at : at + (p_scene.knot(b, knot + 1) - at) * (float(more) / LAST_PLACE));
+			look.push_back(p_scene.place(b, double(place) / LAST_PLACE));
 		}
 	}
 	return look;

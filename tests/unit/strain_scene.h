@@ -20,7 +20,7 @@ struct StrainScene {
 			Eigen::Vector3d knot = Eigen::Vector3d::Zero();
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				blades.set_rest(b, k, knot.cast<float>());
-				knot += p_way((k + 0.5) / GRASS_SEGMENTS) * (0.5 / GRASS_SEGMENTS);
+				knot += p_way(knot_share(k) + 0.5 * segment_share(k)) * (0.5 * segment_share(k));
 			}
 			blades.tile->width[0][b] = 0.0f;
 			blades.tile->width[1][b] = 1.0f;

@@ -107,7 +107,7 @@ inline Around look_around(BladeScene &r_scene, float p_rate) {
 	const TileCollider collider = r_scene.tile_colliders()[0];
 	Around around;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-		const float length = (r_scene.rest(b, 1) - r_scene.rest(b, 0)).norm() * GRASS_SEGMENTS;
+		const float length = (r_scene.rest(b, 1) - r_scene.rest(b, 0)).norm() / float(GRASS_CLAMP_SHARE);
 		float deepest = -1.0f, knots = -1.0f, root = -1.0f; // metres
 		bool stands_out = false;
 		for (int s = 0; s < GRASS_SEGMENTS; s++) {

@@ -26,12 +26,12 @@ inline BladeScene make_swinging(SwingKind p_kind) {
 		Eigen::Vector3f knot = Eigen::Vector3f::Zero();
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			scene.set_rest(b, k, knot);
-			const float m = (float(k) + 0.5f) / GRASS_SEGMENTS;
+			const float m = float(knot_share(k) + 0.5 * segment_share(k));
 			const float leans[] = { 0.02f, 0.4f, 0.8f * m, 1.4f * m, 0.6f * sin_of(6.2831853f * m), 0.15f + 0.5f * m, 0.2f + 0.7f * m,
 				0.1f + 0.9f * m * m };
 			const float turns[] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.6f * m, -2.6f * m, 0.5f * m };
 			const float lean = leans[b / 8], bearing = heading + turns[b / 8];
-			knot += scene.length / GRASS_SEGMENTS *
+			knot += scene.length * float(segment_share(k)) *
 					Eigen::Vector3f(sin_of(lean) * cos_of(bearing), cos_of(lean), sin_of(lean) * sin_of(bearing));
 		}
 	}
@@ -71,9 +71,7 @@ Swing swing_through(SwingKind p_kind, double p_rate, SolverParams &r_params, con
 		p_step(1.0 / p_rate);
 		for (int b = 0; b < GRASS_BLADES_PER_TILE && (i + 1) % parts == 0; b++) {
 			for (int place = 1; place <= SWING_PLACES; place++) {
-				const int knot = place * GRASS_SEGMENTS / SWING_PLACES, more = place * GRASS_SEGMENTS % SWING_PLACES;
-				const Eigen::Vector3f at = p_offset(b, knot), next = p_offset(b, std::min(knot + 1, GRASS_KNOTS - 1));
-				path.push_back((at + (next - at) * (float(more) / SWING_PLACES)) / 0.5f);
+				path.push_back(between_knots(double(place) / SWING_PLACES, [&](int p_knot) { return p_offset(b, p_knot); }) / 0.5f);
 			}
 		}
 	}

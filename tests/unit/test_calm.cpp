@@ -104,9 +104,9 @@ TEST_CASE("METHOD_PBD: a blade comes to rest on a tiny disc that it touches in f
 			Eigen::Vector3f knot = Eigen::Vector3f::Zero();
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				scene.set_rest(b, k, knot);
-				const float angle = disc.lean + disc.curve * (float(k) + 0.5f) / GRASS_SEGMENTS;
+				const float angle = disc.lean + disc.curve * float(knot_share(k) + 0.5 * segment_share(k));
 				const Eigen::Vector3f way(sin_of(angle) * cos_of(disc.heading), cos_of(angle), sin_of(angle) * sin_of(disc.heading));
-				knot += scene.length / GRASS_SEGMENTS * way;
+				knot += scene.length * float(segment_share(k)) * way;
 			}
 		}
 		GrassCollider &collider = scene.add(GRASS_CYLINDER, disc.place, disc.size);

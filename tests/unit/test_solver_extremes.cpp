@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("A straight blade whose last segments are folded back exactly
 		BladeScene scene(M::METHOD);
 		const int fold = GRASS_KNOTS - 1 - folded; // the knot at which it turns round
 		for (int k = 0; k < GRASS_KNOTS; k++) {
-			scene.set_rest(0, k, Eigen::Vector3f(0.0f, scene.length * float(k) / GRASS_SEGMENTS, 0.0f));
+			scene.set_rest(0, k, Eigen::Vector3f(0.0f, scene.length * float(knot_share(k)), 0.0f));
 		}
 		for (int k = fold + 1; k < GRASS_KNOTS; k++) {
 			scene.set_knot(0, k, scene.rest(0, 2 * fold - k));

@@ -27,6 +27,15 @@ struct alignas(16) uvec4 {
 #include "base/constants.inc"
 #include "base/structs.inc"
 
+// Returns how far knot p_knot is from the root along the blade, as a share of its length.
+constexpr double knot_share(int p_knot) {
+	return p_knot == 0 ? 0.0 : GRASS_CLAMP_SHARE + (p_knot - 1) * GRASS_SEGMENT_SHARE;
+}
+// Returns the length of a segment as a share of the blade's.
+constexpr double segment_share(int p_segment) {
+	return p_segment == 0 ? GRASS_CLAMP_SHARE : GRASS_SEGMENT_SHARE;
+}
+
 // Every member is one 16-byte vector, so member n of a record is at offset 16 n, in std430 and here.
 static_assert(sizeof(vec4) == 16 && sizeof(ivec4) == 16 && sizeof(uvec4) == 16);
 

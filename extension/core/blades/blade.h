@@ -17,4 +17,9 @@ inline Eigen::Vector3f rest_knot(const Eigen::Vector3f &p_texel, int p_k, const 
 	return from_glsl(glsl::grass_rest_knot(to_glsl(p_texel), p_k, p_clump));
 }
 
+// Returns the length of a blade, metres, from its knot 1.
+inline float blade_length(const Eigen::Vector3f &p_knot) {
+	return glsl::grass_blade_length(to_glsl(p_knot));
+}
+
 } // namespace grass

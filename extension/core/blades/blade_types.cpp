@@ -30,13 +30,13 @@ BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist) {
 	curve.knots[0].setZero();
 	curve.twist[0] = 0.0;
 	for (int k = 1; k < GRASS_KNOTS; ++k) {
-		// Each segment takes the direction at its middle. Laid end to end, all have equal lengths by construction.
-		const double middle = (k - 0.5) / GRASS_SEGMENTS;
+		// Each segment takes the direction at its middle. Laid end to end, all have the right length by construction.
+		const double middle = 0.5 * (knot_share(k - 1) + knot_share(k));
 		const double inclination = DEGREE * p_bend * control_at(p_type.inclination, middle);
 		const double bearing = DEGREE * control_at(p_type.bearing, middle);
 		const Eigen::Vector3d direction(sine(inclination) * cosine(bearing), cosine(inclination), sine(inclination) * sine(bearing));
-		curve.knots[k] = curve.knots[k - 1] + direction / double(GRASS_SEGMENTS);
-		curve.twist[k] = DEGREE * p_twist * control_at(p_type.twist, double(k) / GRASS_SEGMENTS);
+		curve.knots[k] = curve.knots[k - 1] + direction * segment_share(k - 1);
+		curve.twist[k] = DEGREE * p_twist * control_at(p_type.twist, knot_share(k));
 	}
 	return curve;
 }

@@ -28,7 +28,7 @@ inline constexpr std::array<BladeType, 4> BLADE_TYPES{ {
 } };
 
 struct BladeCurve {
-	std::array<Eigen::Vector3d, GRASS_KNOTS> knots; // leaning towards +x, y up; equal segments, 1 / GRASS_SEGMENTS each
+	std::array<Eigen::Vector3d, GRASS_KNOTS> knots; // leaning towards +x, y up; at knot_share() of a length of 1
 	std::array<double, GRASS_KNOTS> twist; // radians, 0 at the root
 };
 

@@ -105,7 +105,7 @@ TileParams Field::tile_params() const {
 	params.overhang = _bounds ? _bounds->get_overhang() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
-	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
+	params.segment = _setup.patch ? double(_setup.blade_length()) * GRASS_SEGMENT_SHARE : 0.0;
 	params.is_mapped = _blades.needs_growth();
 	params.seed = _setup.seed;
 	return params;

@@ -73,6 +73,20 @@ GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p
 	}
 }
 
+// [Eq 50] Mixes the turns of the guess, r_gains, with those at the part's start.
+template <class T>
+GRASS_INLINE void mix_turns(const Blade<T> &p_blade, const Stage<T> &p_stage, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+	Vec3<T> before{}; // swing of the segment before, radians
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const Vec3<T> start = p_stage.base[s + 1] - (s >= GRASS_CLAMPED_KNOTS ? p_stage.base[s] : p_blade.knots[s]);
+		const Vec3<T> e = segment(p_blade, s);
+		const T squared = maximum(dot(e, e), T(TINY_SQUARED));
+		const Vec3<T> swing = cross(start, e - start) * (T(1.0f) / squared);
+		r_gains[s].turn = turn_in_part(r_gains[s].turn, swing - before, e, squared);
+		before = swing;
+	}
+}
+
 // [Eq 30] Sweeps from tip to root: r_gains holds what measure_joints() found, and then the gains.
 template <class T>
 GRASS_INLINE Touches<T> sweep_to_root(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
@@ -86,14 +100,15 @@ GRASS_INLINE Touches<T> sweep_to_root(const Blade<T> &p_blade, const StepTerms<T
 			touch = first;
 			continue;
 		}
-		const T stiffness = joint_stiffness(p_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
-		add_knot(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
+		const T whole = joint_stiffness(p_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
+		const T stiffness = whole * T(p_stage.is_guess ? PART_SPRING : 1.0f);
+		add_knot(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, touch, whole);
 		carry_to_base(beyond, segment(p_blade, s));
-		add_edge(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
+		add_edge(beyond, p_blade, p_terms, p_chain, p_stage, s + 1, first, touch, whole);
 		touch = first;
 		const Vec3<T> axis = r_gains[s].axis;
 		const Vec3<T> moment = (r_gains[s].turn + axis * dot(axis, r_gains[s].turn)) * stiffness;
-		r_gains[s] = eliminate_joint(beyond, moment, stiffness * (T(1.0f) + beyond.caution), axis);
+		r_gains[s] = eliminate_joint(beyond, moment, maximum(stiffness * (T(1.0f) + beyond.caution), whole), axis);
 	}
 	return beyond.touches;
 }
@@ -130,6 +145,9 @@ GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, p_chain, gains);
+	if (p_stage.is_guess) {
+		mix_turns(r_blade, p_stage, gains);
+	}
 	const Touches<T> touches = sweep_to_root(r_blade, p_terms, p_chain, p_stage, gains);
 	WayBack<T> back{ r_blade.knots[1] };
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {

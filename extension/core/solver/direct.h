@@ -101,6 +101,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		if (!any(is_active)) {
 			return;
 		}
+		r_stage.is_guess = r_stage.is_part && i == 0;
 		const Touches<T> found = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
 		const Mask touches = is_active & p_is_near & (found.depth > T(0.0f));
 		const Mask is_blow = is_active & p_is_near & (found.blow > T(0.0f));

@@ -59,7 +59,7 @@ double moment_at(double p_taper, double p_place) {
 // Returns the sag of the tip from the stretch of blade that the first joint represents, divided by the sag from a moment of 1 in that
 // joint.
 double first_length(double p_taper) {
-	constexpr double FIRST = 1.0 / GRASS_SEGMENTS, LENGTH = 1.5 * FIRST;
+	constexpr double FIRST = GRASS_CLAMP_SHARE, LENGTH = FIRST + 0.5 * GRASS_SEGMENT_SHARE;
 	double sum = 0.0;
 	for (int i = 0; i < PIECES; i++) {
 		const double place = (i + 0.5) * PIECE * LENGTH;
@@ -72,7 +72,7 @@ double first_length(double p_taper) {
 
 Section make_section(double p_taper) {
 	static const double even_swing = first_swing(0.0), even_length = first_length(0.0);
-	return { p_taper / GRASS_SEGMENTS, even_swing / first_swing(p_taper), even_length / first_length(p_taper) };
+	return { p_taper * GRASS_SEGMENT_SHARE, even_swing / first_swing(p_taper), even_length / first_length(p_taper) };
 }
 
 } // namespace grass

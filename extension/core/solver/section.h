@@ -5,7 +5,7 @@
 namespace grass {
 
 struct Section {
-	double thins; // share of the root's width that is lost from knot to knot
+	double thins; // share of the root's width that is lost from knot to knot beyond the clamp
 	double stiffness; // EI at the root, relative to a uniform blade that swings as often
 	double first_joint; // stiffness of the first joint, relative to a blade that is as stiff all along as at its root
 };

@@ -33,7 +33,7 @@ int whole_groups(float p_wanted) {
 	return std::clamp(int(p_wanted), 0, BLADES - 1) / MOST_LANES * MOST_LANES;
 }
 
-// [Eq M5] Returns the mean bend of the simulated blades. All segments of a blade have the same length.
+// [Eq M5] Returns the mean bend of the simulated blades.
 Eigen::Vector3f bend_of(const TileState &p_state) {
 	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
 	for (int b = 0; b < BLADES - p_state.left_out; b++) {
@@ -42,7 +42,7 @@ Eigen::Vector3f bend_of(const TileState &p_state) {
 			first[c] = p_state.rest[c][1][b] - p_state.rest[c][0][b];
 			away[c] = p_state.knots[c][GRASS_FREE_KNOTS - 1][b] - p_state.rest[c][GRASS_KNOTS - 1][b];
 		}
-		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
+		sum += away / std::max(blade_length(first), 1e-5f);
 	}
 	return sum / float(BLADES - p_state.left_out);
 }

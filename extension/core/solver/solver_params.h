@@ -34,7 +34,7 @@ inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 400
 // How far from an eye contact_rate applies, to the middle of a tile; 0: everywhere. Farther: more blades take as much more time.
 inline constexpr Tunable CONTACT_DISTANCE{ "contact_distance", "m", 0.0, 100.0, 0.1, 4.0 };
 // Greatest speed of a knot that swings freely, blade lengths per second. Below 5 grass looks sticky.
-inline constexpr Tunable SWING_SPEED_MAX{ "swing_speed_max", "1/s", 1.0, 100.0, 1.0, 20.0 };
+inline constexpr Tunable SWING_SPEED_MAX{ "swing_speed_max", "1/s", 1.0, 100.0, 1.0, 40.0 };
 
 // How a blade is solved. docs/internals/solver.md compares them.
 enum class Method { DIRECT = GRASS_METHOD_DIRECT, PBD = GRASS_METHOD_PBD };

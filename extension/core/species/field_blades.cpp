@@ -40,8 +40,7 @@ FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade)
 	pose.clump.height *= height;
 	if (_map) {
 		const Growth here = _map->sample(place);
-		const float length = get_texel(pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
-		pose.clump = glsl::grass_grown(pose.clump, here, length);
+		pose.clump = glsl::grass_grown(pose.clump, here, blade_length(get_texel(pose.blade, 1)));
 		pose.ground = here.ground;
 		pose.density = here.density;
 	}
@@ -70,7 +69,7 @@ FieldBlades::Standing FieldBlades::get_standing(const Pose &p_pose, int p_tile_x
 		presence *= glsl::grass_presence(density, glsl::grass_random(grass_hash(bits)).x);
 		presence *= float(GRASS_BORDER_HEIGHT) + (1.0f - float(GRASS_BORDER_HEIGHT)) * border;
 	}
-	const float in_patch = get_texel(p_pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
+	const float in_patch = blade_length(get_texel(p_pose.blade, 1));
 	const float whole = in_patch * clump_at(place, _clump).height * (_map ? _map->sample(place).height : 1.0f);
 	standing.angle = get_texel(p_pose.blade, 0).z();
 	standing.length = whole * presence;

@@ -80,7 +80,7 @@ void draw_blade(PictureCanvas &r_canvas, const PictureLook &p_look, const DrawnB
 		const Eigen::Vector2f from = p_blade.knots[size_t(k)], way = p_blade.knots[size_t(k + 1)] - from;
 		const int steps = std::max(SEGMENT_STEPS, int(std::ceil(way.norm())));
 		for (int i = 0; i < steps; i++) {
-			const float part = float(i) / float(steps), along = (float(k) + part) / float(GRASS_SEGMENTS);
+			const float part = float(i) / float(steps), along = float(knot_share(k) + part * segment_share(k));
 			const float width = p_blade.width * std::sqrt(1.0f - along);
 			r_canvas.put_disc(from + part * way, 0.5f * width, color_of(p_look, p_blade, along));
 		}

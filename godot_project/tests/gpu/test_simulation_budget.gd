@@ -83,7 +83,7 @@ func check_followers(blades: PackedInt64Array, whole: PackedVector3Array, limite
 			var own := blade_of(limited, blade)
 			var at_rest := blade_of(rest, blade)
 			roots.append(at_rest[0])
-			offsets.append((own[15] - at_rest[15]) / (15 * at_rest[0].distance_to(at_rest[1])))
+			offsets.append((own[15] - at_rest[15]) * CLAMP_SHARE / at_rest[0].distance_to(at_rest[1]))
 			if i < FIRST:
 				same += int(farthest(own, blade_of(whole, blade)) < APART * length_of(whole, blade))
 				continue

@@ -19,7 +19,7 @@ func difference(a: GrassField, b: GrassField) -> float:
 		for blade in BLADES:
 			var one := a.get_knots(tile, blade)
 			var other := b.get_knots(tile, blade)
-			var length := 15 * one[0].distance_to(one[1])
+			var length := one[0].distance_to(one[1]) / CLAMP_SHARE
 			for k in KNOTS:  # from the root, for the places themselves are coarse far away
 				most = maxf(most, ((one[k] - one[0]) - (other[k] - other[0])).length() / length)
 	return most

@@ -219,8 +219,11 @@ func _patch_texels() -> PackedByteArray:
 		var at := Vector2i(blade % BLADES, blade / BLADES)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
 		var place := Vector3.ZERO
-		for knot in range(1, KNOTS):  # of equal segments, as any patch's: bent by half a radian
-			place += Vector3.UP.rotated(Vector3(sin(blade), 0.0, -cos(blade)), 0.5 * (knot - 0.5) / 15.0) * (LENGTH / 15.0)
+		var along := 0.0
+		for knot in range(1, KNOTS):  # bent by half a radian, with the clamp of any patch's
+			var segment := (0.25 if knot == 1 else 14.75 / 14.0) / 15.0
+			place += Vector3.UP.rotated(Vector3(sin(blade), 0.0, -cos(blade)), 0.5 * (along + 0.5 * segment)) * (LENGTH * segment)
+			along += segment
 			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(place.x, place.y, place.z))
 	return image.get_data()
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/solver/strain/basis.h"
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <utility>
 
 namespace grass {
 
 namespace {
-
-constexpr double SEGMENT = 1.0 / GRASS_SEGMENTS;
 
 // Function p_order of the basis at the share p_place of the way from root to tip: 1 - s times the Jacobi polynomial of 2 s - 1 that makes
 // all of them orthonormal, by its recurrence.
@@ -39,21 +39,33 @@ template <class Body> double integral(double p_from, double p_to, const Body &p_
 template <class Body> double along_blade(const Body &p_body) {
 	double sum = 0.0;
 	for (int s = 0; s < GRASS_SEGMENTS; s++) {
-		sum += integral(s * SEGMENT, (s + 1) * SEGMENT, p_body);
+		sum += integral(knot_share(s), knot_share(s + 1), p_body);
 	}
 	return sum;
 }
 
-// The share of a mass in what a polynomial that has a double zero at the root is there: of those that equal it at all masses the one of the
-// least degree.
-double mass_share(int p_mass, double p_place) {
-	const auto place_of = [](int p_of) { return (GRASS_STRAIN_FIRST_MASS + 2 * p_of) * SEGMENT; };
-	const double own = place_of(p_mass);
-	double share = (p_place / own) * (p_place / own);
+// [Eq Q7] The masses of a blade of length 1: of those that weigh the powers 2 to POWERS + 1 of the way as the blade does, the nearest to
+// what is nearest to each. A seventh power would make some negative.
+constexpr int POWERS = 6;
+Eigen::Vector<double, GRASS_STRAIN_MASSES> masses_of(double p_taper) {
+	Eigen::Vector<double, GRASS_STRAIN_MASSES> nearest;
+	Eigen::Matrix<double, POWERS, GRASS_STRAIN_MASSES> powers;
+	Eigen::Vector<double, POWERS> wanted;
+	const auto place_of = [](int p_mass) { return knot_share(GRASS_STRAIN_FIRST_MASS + 2 * p_mass); };
 	for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
-		share *= i == p_mass ? 1.0 : (p_place - place_of(i)) / (own - place_of(i));
+		const double from = i == 0 ? 0.0 : 0.5 * (place_of(i - 1) + place_of(i));
+		const double to = i + 1 == GRASS_STRAIN_MASSES ? 1.0 : 0.5 * (place_of(i) + place_of(i + 1));
+		nearest[i] = (to - from) * (1.0 - p_taper * 0.5 * (from + to));
+		for (int n = 0; n < POWERS; n++) {
+			powers(n, i) = std::pow(place_of(i), n + 2);
+		}
 	}
-	return share;
+	for (int n = 0; n < POWERS; n++) {
+		wanted[n] = 1.0 / (n + 3) - p_taper / (n + 4);
+	}
+	const Eigen::Matrix<double, GRASS_STRAIN_MASSES, POWERS> shares = nearest.asDiagonal() * powers.transpose();
+	const Eigen::Matrix<double, POWERS, POWERS> both = powers * shares;
+	return nearest + shares * both.partialPivLu().solve(wanted - powers * nearest);
 }
 
 } // namespace
@@ -62,14 +74,15 @@ double joint_turn_of(int p_joint, int p_order) {
 	// The share of joint p_joint in the bend at a place. What lies below the first joint counts in it and, negatively, in the second: so
 	// all that is above is where bending along the way would bring it.
 	const auto part = [&](int p_from, double p_at_from, double p_at_to) {
-		return integral(p_from * SEGMENT, (p_from + 1) * SEGMENT, [&](double p_place) {
-			const double way = p_place / SEGMENT - p_from;
+		const double from = knot_share(p_from), to = knot_share(p_from + 1);
+		return integral(from, to, [&](double p_place) {
+			const double way = (p_place - from) / (to - from);
 			return basis_at(p_order, p_place) * (p_at_from * (1.0 - way) + p_at_to * way);
 		});
 	};
 	const double above = part(p_joint, 1.0, 0.0);
-	const double below = p_joint == 1 ? part(0, 2.0, 1.0) : part(p_joint - 1, 0.0, 1.0);
-	return above + below + (p_joint == 2 ? part(0, -1.0, 0.0) : 0.0);
+	const double below = p_joint == 1 ? part(0, 1.0 + GRASS_CLAMP_SEGMENTS, 1.0) : part(p_joint - 1, 0.0, 1.0);
+	return above + below + (p_joint == 2 ? part(0, -GRASS_CLAMP_SEGMENTS, 0.0) : 0.0);
 }
 
 StrainSection<float> make_strain_section(double p_taper, double p_width_to_thickness) {
@@ -87,9 +100,7 @@ StrainSection<float> make_strain_section(double p_taper, double p_width_to_thick
 			section.stiff.at[i * (i + 1) / 2 + j] = spring(stiffer);
 		}
 	}
-	for (int i = 0; i < GRASS_STRAIN_MASSES; i++) {
-		section.mass[i] = float(along_blade([&](double p_place) { return mass_share(i, p_place) * (1.0 - p_taper * p_place); }));
-	}
+	Eigen::Map<Eigen::Vector<float, GRASS_STRAIN_MASSES>>(section.mass) = masses_of(p_taper).cast<float>();
 	return section;
 }
 

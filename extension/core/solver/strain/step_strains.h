@@ -46,16 +46,17 @@ GRASS_INLINE void take_section(StrainSection<T> &r_section, const StrainSection<
 	}
 }
 
-// All segments of a blade are equally long.
 template <class T> GRASS_INLINE void load_strains(const TileState &p_state, const LaneBlades<T> &p_blades, StrainBlade<T> &r_blade) {
 	const Vec3<T> width{ load_own(p_state.width[0], p_blades), T(0.0f), load_own(p_state.width[1], p_blades) };
 	for (int k = 0; k < GRASS_KNOTS; k++) {
 		r_blade.rest[k] = load_knot(p_state.rest, k, p_blades);
 	}
-	r_blade.length = length(r_blade.rest[1] - r_blade.rest[0]) * T(float(GRASS_SEGMENTS));
-	const T shorter = T(0.5f * float(GRASS_SEGMENTS)) / maximum(r_blade.length, T(1e-12f));
+	r_blade.length = length(r_blade.rest[1] - r_blade.rest[0]) / T(float(GRASS_CLAMP_SHARE));
+	const T shorter = T(0.5f) / maximum(r_blade.length * T(float(GRASS_SEGMENT_SHARE)), T(1e-12f));
+	Joint<T> joint = clamp_of(r_blade);
 	for (int s = 1; s <= GRASS_STRAIN_JOINTS; s++) {
-		r_blade.axes[s] = joint_axes(r_blade.rest[s] - r_blade.rest[s - 1], r_blade.rest[s + 1] - r_blade.rest[s], width, shorter);
+		go_to_joint(joint, r_blade, s);
+		r_blade.axes[s] = joint_axes(joint.below, joint.above, width, shorter);
 	}
 	for (int n = 0; n < GRASS_STRAINS; n++) {
 		r_blade.now.at[n] = load_own(p_state.strains[n], p_blades);
