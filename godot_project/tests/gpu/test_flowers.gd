@@ -73,9 +73,10 @@ func violet_of(image: Image) -> float:
 
 ## Blades of one triangle against blades of many that have cards, from the same place.
 func test_far_blades_show_the_colour_of_their_flowers() -> void:
-	# Height of the camera, share of the blades that have cards, size of the cards.
-	for setting: Vector3 in [Vector3(10, 1.0, 0.06), Vector3(40, 0.1, 0.06), Vector3(5, 1.0, 0.02)]:
+	# Height of the camera, share of the blades that have cards, size of the cards, their flatness.
+	for setting: Vector4 in [Vector4(10, 1.0, 0.06, 0), Vector4(40, 0.1, 0.06, 0), Vector4(5, 1.0, 0.02, 0), Vector4(4, 1.0, 0.06, 1)]:
 		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
+		violet.card_flatness = setting.w
 		var field := add_seen_field({species = [violet], size = Vector2(30, 30), soil_enabled = false})
 		look(Vector3(0, setting.x, 40), Vector3.ZERO)
 		var gain := {0.25: 0.0, 8.0: 0.0}  # by lod_error
