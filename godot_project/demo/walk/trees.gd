@@ -6,7 +6,7 @@ const GROVES := 26
 const IN_GROVE := Vector2i(1, 11)  # trees, fewest and most
 const SPREAD := 18.0  # metres, from the middle of a grove
 const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
-const LEAVES: Array[Color] = [Color(0.4, 0.52, 0.2), Color(0.5, 0.58, 0.25), Color(0.32, 0.46, 0.2)]
+const LEAVES: Array[Color] = [Color(0.45, 0.56, 0.24), Color(0.55, 0.62, 0.29), Color(0.37, 0.5, 0.23)]
 const BARK := Color(0.2, 0.16, 0.12)
 ## The crown's parts: middle and half axes, in heights of the tree.
 const PARTS: Array[Array] = [
@@ -19,7 +19,7 @@ const PARTS: Array[Array] = [
 const CARDS := 110  # of a part
 const CARD := Vector2(0.075, 0.125)  # half the side of a card, in heights of the tree, least and most
 const INSIDE := 0.55  # radii of a part from which on there are cards
-const SHADE := 0.5  # of the light inside of the crown and on its underside
+const SHADE := 0.6  # of the light inside of the crown and on its underside
 const PICTURE := 128  # texels, the side of the picture of a twig
 const LEAVES_ON_CARD := 110
 
