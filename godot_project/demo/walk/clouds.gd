@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Thin fair-weather clouds, drawn out by high winds: a picture of the whole sky for the `sky_cover` of a ProceduralSkyMaterial, which adds it to the sky.
+## Thin fair-weather clouds, drawn out by high winds: a picture of the whole sky for the `sky_cover` of a ProceduralSkyMaterial, which adds
+## it to the sky.
 extends RefCounted
 
 const SIZE := Vector2i(1024, 256)  # texels: all around, from the zenith to the horizon and, cloudless, to the nadir
