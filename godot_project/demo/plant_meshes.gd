@@ -113,8 +113,8 @@ func _leaf(from: Vector3, along: Vector3, up: Vector3, width: float, low: Color,
 		last = now
 
 
-## A folded rectangle that shows the texture's picture from `from` along `along`. Six vertices.
-func _sheet(from: Vector3, along: Vector3, up: Vector3, width: float, low: Color, high: Color) -> void:
+## A rectangle that shows the texture's picture from `from` along `along`, `folded` along its middle. Six vertices.
+func _sheet(from: Vector3, along: Vector3, up: Vector3, width: float, low: Color, high: Color, folded := 0.45) -> void:
 	var across := along.cross(up).normalized()
 	var normal := across.cross(along).normalized()
 	var first := _places.size()
@@ -122,10 +122,10 @@ func _sheet(from: Vector3, along: Vector3, up: Vector3, width: float, low: Color
 		var middle := from + along * row - normal * (0.1 * along.length() * row)
 		for side in 3:
 			var out := (side - 1.0) * across
-			var lift := normal * (0.25 * width * absf(side - 1.0))
+			var lift := normal * (folded / 1.8 * width * absf(side - 1.0))
 			_point(
 				middle + out * width + lift,
-				normal + 0.45 * out,
+				normal + folded * out,
 				low if row == 0 else high,
 				Vector2(0.5 * side * PICTURE.x / (PICTURE.x + STRIP), 1.0 - row)
 			)
@@ -157,10 +157,12 @@ func _draw(shade: Callable) -> Image:
 
 ## A pinna of a fern: lobes along a midrib.
 func _pinna(across: float, along: float) -> Vector2:
-	var wide := minf(along / 0.16, 1.0) * sqrt(maxf(1.0 - pow(along, 1.6), 0.0)) * 0.95
-	var lobe := absf(sin(PI * (11.0 * along - 0.9 * absf(across))))
-	var is_leaf := absf(across) < wide * lerpf(0.3, 1.0, pow(lobe, 0.45)) or absf(across) < 0.1 * (1.0 - along)
-	return Vector2(0.8 if absf(across) < 0.09 else lerpf(0.86, 1.0, lobe), float(is_leaf))
+	var wide := minf(along / 0.1, 1.0) * pow(maxf(1.0 - along, 0.0), 0.62) * 0.97
+	var row := 9.0 * pow(along, 0.85) - 0.8 * absf(across) + (0.45 if across > 0.0 else 0.0)
+	var lobe := absf(sin(PI * row))
+	var is_leaf := absf(across) < wide * lerpf(0.42, 1.0, pow(lobe, 0.5)) or absf(across) < 0.1 * (1.0 - along)
+	var light := 0.9 + 0.1 * sin(12.9 * floorf(row) + (2.0 if across > 0.0 else 0.0))
+	return Vector2(0.86 if absf(across) < 0.05 else light * lerpf(0.93, 1.0, lobe), float(is_leaf))
 
 
 ## One frond: pinnae in pairs along a stalk, longest in its lower half.
@@ -176,9 +178,11 @@ func _grow_fern() -> void:
 		var size := 0.28 * pow(sin(PI * pow((t - 0.08) / 0.95, 0.62)), 0.85) + 0.014
 		for side: float in [-1.0, 1.0]:
 			var rise := 0.28 + 0.5 * t + _dice.randf_range(-0.06, 0.06)
-			var along := Vector3(side, rise, _dice.randf_range(0.0, 0.22)).normalized() * size * _dice.randf_range(0.92, 1.05)
-			var fresh := low.lerp(high, clampf(0.25 + 0.6 * t + _dice.randf_range(-0.12, 0.12), 0.0, 1.0))
-			_sheet(Vector3(0, t + side * 0.006, 0), along, Vector3(0, 0.15, -1), 0.19 * size + 0.01, fresh.darkened(0.1), fresh)
+			var along := Vector3(side, rise, _dice.randf_range(-0.1, 0.3)).normalized() * size * _dice.randf_range(0.8, 1.08)
+			var fresh := low.lerp(high, clampf(0.3 + 0.45 * t + _dice.randf_range(-0.22, 0.22), 0.0, 1.0))
+			var up := Vector3(_dice.randf_range(-0.35, 0.35), 0.15 + _dice.randf_range(-0.3, 0.3), -1)
+			var from := Vector3(0, t + side * 0.006 + _dice.randf_range(-0.008, 0.008), 0)
+			_sheet(from, along, up, 0.21 * size + 0.01, fresh.darkened(0.25), fresh, 0.2)
 	_sheet(Vector3(0, 0.93, 0), Vector3(0, 0.07, 0.0), Vector3(0, 0, -1), 0.02, high, high)
 
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-## Fair-weather clouds: a picture of the whole sky for the `sky_cover` of a ProceduralSkyMaterial, which adds it to the sky.
+## Thin fair-weather clouds, drawn out by high winds: a picture of the whole sky for the `sky_cover` of a ProceduralSkyMaterial, which adds
+## it to the sky.
 extends RefCounted
 
 const SIZE := Vector2i(1024, 256)  # texels: all around, from the zenith to the horizon and, cloudless, to the nadir
 const LIGHT := Color(0.95, 0.93, 0.9)
+const WINDS := Vector2(0.5, 1.5)  # they draw clouds out along one way
 const THINNEST := 0.02  # height of the clouds' far edge in the sky, 0 at the horizon to 1 at the zenith
 
 static var _cover: ImageTexture
@@ -19,8 +21,13 @@ static func _draw() -> Image:
 	var noise := FastNoiseLite.new()
 	noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
 	noise.seed = 3
-	noise.frequency = 0.45
-	noise.fractal_octaves = 5
+	noise.frequency = 0.3
+	noise.fractal_octaves = 6
+	noise.fractal_gain = 0.55
+	noise.domain_warp_enabled = true
+	noise.domain_warp_type = FastNoiseLite.DOMAIN_WARP_SIMPLEX
+	noise.domain_warp_amplitude = 1.6
+	noise.domain_warp_frequency = 0.35
 	var image := Image.create(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8)
 	for y in SIZE.y >> 1:
 		var angle := PI * (y + 0.5) / SIZE.y
@@ -28,7 +35,7 @@ static func _draw() -> Image:
 		var fades := smoothstep(THINNEST, 0.16, cos(angle))
 		for x in SIZE.x:
 			var at := Vector2.from_angle(TAU * (x + 0.5) / SIZE.x) * reach
-			var thick := smoothstep(0.02, 0.5, noise.get_noise_2dv(at))
-			image.set_pixel(x, y, Color(LIGHT, 0.55 * fades * thick))
+			var thick := smoothstep(-0.05, 0.75, noise.get_noise_2dv(at.rotated(0.6) * WINDS))
+			image.set_pixel(x, y, Color(LIGHT, 0.7 * fades * thick))
 	image.generate_mipmaps()
 	return image

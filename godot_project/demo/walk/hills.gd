@@ -14,6 +14,7 @@ const SNOW := Color(0.88, 0.9, 0.95)
 const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
 const BELOW_TERRAIN := 8.0  # metres that they are lower at a terrain, whose every bump they do not follow
 const BLEND := 70.0  # metres from a terrain's border to where the hills are as without it
+const SEAM := 8  # metres from a terrain's border to where heights of the noise are interpolated: right beside it that would leave a ditch
 
 var side := 0  ## metres
 var level := 0.0  ## metres from the middle up to which the ground is level at height 0; 0: a gently waved middle
@@ -109,13 +110,16 @@ func _beyond_terrain(place: Vector2) -> float:
 	return smoothstep(0.0, BLEND, place.distance_to(place.clampf(-0.5 * terrain.size, 0.5 * terrain.size)))
 
 
-## Takes over the heights of a terrain, which stands on the same metres.
+## Takes over the heights of a terrain, which stands on the same metres, and those beside it.
 func _lay(p_terrain: Terrain) -> void:
 	var heights := shape.map_data
 	var half := p_terrain.size >> 1
-	for z in range(-half, half + 1):
-		for x in range(-half, half + 1):
-			heights[(z + (side >> 1)) * (side + 1) + x + (side >> 1)] = p_terrain.height_at(x, z)
+	for z in range(-half - SEAM, half + SEAM + 1):
+		for x in range(-half - SEAM, half + SEAM + 1):
+			var index := (z + (side >> 1)) * (side + 1) + x + (side >> 1)
+			var beyond := maxf(absf(x), absf(z)) - half
+			var height := p_terrain.height_at(x, z) if beyond <= 0.0 else _rise(Vector2(x, z))
+			heights[index] = lerpf(height, heights[index], smoothstep(0.0, SEAM, beyond))
 	shape.map_data = heights
 
 

@@ -2,6 +2,8 @@
 ## Cards on the tips of a species: which blades have one, how they bend, and how much of their colour is left far away.
 extends "res://tests/species_case.gd"
 
+const UPRIGHT := {weight_upright = 1.0, weight_arched = 0.0, weight_drooping = 0.0, weight_wavy = 0.0}
+
 
 func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	var green := make(0.8, Color(0.3, 0.6, 0.2))
@@ -71,9 +73,10 @@ func violet_of(image: Image) -> float:
 
 ## Blades of one triangle against blades of many that have cards, from the same place.
 func test_far_blades_show_the_colour_of_their_flowers() -> void:
-	# Height of the camera, share of the blades that have cards, size of the cards.
-	for setting: Vector3 in [Vector3(10, 1.0, 0.06), Vector3(40, 0.1, 0.06), Vector3(5, 1.0, 0.02)]:
+	# Height of the camera, share of the blades that have cards, size of the cards, their flatness.
+	for setting: Vector4 in [Vector4(10, 1.0, 0.06, 0), Vector4(40, 0.1, 0.06, 0), Vector4(5, 1.0, 0.02, 0), Vector4(4, 1.0, 0.06, 1)]:
 		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
+		violet.card_flatness = setting.w
 		var field := add_seen_field({species = [violet], size = Vector2(30, 30), soil_enabled = false})
 		look(Vector3(0, setting.x, 40), Vector3.ZERO)
 		var gain := {0.25: 0.0, 8.0: 0.0}  # by lod_error
@@ -85,6 +88,41 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 		print("    far, as violet as near: %.2f" % [gain[8.0] / gain[0.25]])
 		assert_near(gain[8.0] / gain[0.25], 1.0, 0.5)
 		field.free()
+
+
+## A flat blade vanishes where it is seen from its edge. A flower on it would hang in the air.
+func test_stalks_of_flowers_are_seen_from_every_side() -> void:
+	var wide := {width_min = 0.06, width_max = 0.06, length_min = 0.6, length_max = 0.8, card_width = 0.02, card_height = 0.02}
+	var red := make(1.0, Color(0.7, 0.1, 0.1), wide.merged(UPRIGHT))
+	red.card = flower(Color(0.7, 0.1, 0.7))
+	var field := add_seen_field({species = [red], density = 16.0, soil_enabled = false, lod_error = 0.25, pixels_min = 0.0})
+	look(Vector3(0, 3.8, 2.3), Vector3.ZERO)
+	var image := await picture()
+	save(image, "stalks")
+	var seen := 0
+	var all := 0
+	for middle in _knots(field, KNOTS / 2):
+		seen += int(is_red(image.get_pixelv(Vector2i(camera.unproject_position(middle)))))
+		all += 1
+	print("    %d of %d stalks are seen" % [seen, all])
+	assert_greater(float(seen) / all, 0.92)
+
+
+## A flower that lies has green leaves below it, which are seen from the ground only.
+func test_flowers_have_a_back() -> void:
+	var lies := {card_width = 0.12, card_height = 0.12, card_flatness = 1.0}
+	var red := make(1.0, Color(0.7, 0.1, 0.1), lies.merged(UPRIGHT))
+	red.card = flower(Color(0.7, 0.1, 0.7))
+	add_seen_field({species = [red], density = 64.0, soil_enabled = false, lod_far = 1000.0})
+	var green: Array[float] = []
+	for height: float in [5.0, 0.02]:
+		look(Vector3(0, height, 0.01), Vector3(0, 0.5, 0))
+		var image := await picture()
+		save(image, "flowers_from_%.2f_m" % height)
+		green.append(share_of(image, is_green))
+	print("    green from above %.4f, from below %.4f" % [green[0], green[1]])
+	assert_less(green[0], 0.1 * green[1])
+	assert_greater(green[1], 0.001)
 
 
 ## Sparse blades, each tip of which can be looked up.
@@ -150,13 +188,18 @@ func draw_calls() -> int:
 
 
 func _tips(field: GrassField) -> PackedVector3Array:
-	var tips := PackedVector3Array()
+	return _knots(field, KNOTS - 1)
+
+
+## The places of one knot of all blades.
+func _knots(field: GrassField, knot: int) -> PackedVector3Array:
+	var places := PackedVector3Array()
 	var tiles := field.get_grid_size()
 	for z in tiles.y:
 		for x in tiles.x:
 			for blade in BLADES:
-				tips.append(field.get_knots(Vector2i(x, z), blade)[KNOTS - 1])
-	return tips
+				places.append(field.get_knots(Vector2i(x, z), blade)[knot])
+	return places
 
 
 func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
