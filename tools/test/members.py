@@ -18,6 +18,7 @@ INITIAL = re.compile(r"(?: = |\{)[^,;()\n]*(?=[,;])")  # the value that a member
 LAST_WORD = re.compile(r"(\w+)\W*$")
 
 OWN_FIELD = "the field, of which it is a part and with which it ends"
+OWN_WORLD = "the world, of which it is a part and with which it ends"
 OWN_CHILD = "a child in the editor's own window, which it makes and frees"
 ONE_CALL = "a value that lives within one call, in which no script runs"
 SINGLETON = "the only instance, which frees itself when the extension is unloaded"
@@ -58,7 +59,9 @@ ALLOWED = {
 	"physics/ground_rays.h": (ONE_CALL, "_standing", "_space"),
 	"physics/server_body.h": ("checked by its id in each tick, before the first use", "_state", "_node"),
 	"shared/scene_watch.h": (SINGLETON, "_singleton"),
-	"world/world_fields.h": ("the world, of which it is a part and with which it ends", "_world"),
+	"world/world_fields.h": (OWN_WORLD, "_world"),
+	"world/world_report.h": (OWN_WORLD, "_world"),
+	"world/world_work.h": (OWN_WORLD, "_world"),
 }
 
 
