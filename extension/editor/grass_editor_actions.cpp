@@ -81,11 +81,11 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 	if (clipboard_pressed(p_item)) {
 		return;
 	}
-	if (p_item == BrushToolbar::MENU_EXPORT || p_item == BrushToolbar::MENU_IMPORT) {
-		_pictures.ask(p_item == BrushToolbar::MENU_IMPORT);
+	if (p_item == BrushMenu::EXPORT || p_item == BrushMenu::IMPORT) {
+		_pictures.ask(p_item == BrushMenu::IMPORT);
 		return;
 	}
-	if (p_item == BrushToolbar::MENU_UNIQUE) {
+	if (p_item == BrushMenu::UNIQUE) {
 		make_selected_unique();
 		return;
 	}
@@ -94,7 +94,7 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 	}
 	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
 	change_maps(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
-		const bool is_clear = p_item == BrushToolbar::MENU_CLEAR;
+		const bool is_clear = p_item == BrushMenu::CLEAR;
 		const Ref<GrassMapSnapshot> after = r_map.take_snapshot();
 		for (const MapKey &key : after->map.get_keys()) {
 			for (int channel = 0; channel < MAP_CHANNELS; channel++) {
@@ -107,7 +107,7 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 		}
 		after->map.compact();
 		if (!is_clear) {
-			after->map.set_base_density(p_item == BrushToolbar::MENU_BARE ? 0.0 : 1.0);
+			after->map.set_base_density(p_item == BrushMenu::BARE ? 0.0 : 1.0);
 		}
 		r_map.restore_snapshot(after);
 		return true;

@@ -26,15 +26,15 @@ bool is_too_large(double p_area) {
 // Returns whether it was one of the clipboard's items.
 bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
 	const GrassField *field = Object::cast_to<GrassField>(find_selected());
-	if (field == nullptr || p_item < BrushToolbar::MENU_COPY || p_item > BrushToolbar::MENU_PASTE_SPECIES) {
+	if (field == nullptr || p_item < BrushMenu::COPY || p_item > BrushMenu::PASTE_SPECIES) {
 		return false;
 	}
 	finish_stroke();
 	const Vector2 size = field->get_parts().settings.get_size();
-	if (p_item == BrushToolbar::MENU_COPY && !is_too_large(double(size.x) * double(size.y))) {
+	if (p_item == BrushMenu::COPY && !is_too_large(double(size.x) * double(size.y))) {
 		_clipboard.copy_field(*field);
 		toast("GrassField: copied what is painted in the field.", EditorToaster::SEVERITY_INFO);
-	} else if (p_item == BrushToolbar::MENU_PASTE) {
+	} else if (p_item == BrushMenu::PASTE) {
 		if (_clipboard.is_of_field()) {
 			paste(Eigen::Vector2d::Zero());
 		} else {
@@ -42,10 +42,10 @@ bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
 				  "copied "
 				  "under the brush.");
 		}
-	} else if (p_item == BrushToolbar::MENU_COPY_SPECIES) {
+	} else if (p_item == BrushMenu::COPY_SPECIES) {
 		_clipboard.copy_species(*field);
 		toast(vformat("GrassField: copied %d species.", _clipboard.count_species()), EditorToaster::SEVERITY_INFO);
-	} else if (p_item == BrushToolbar::MENU_PASTE_SPECIES) {
+	} else if (p_item == BrushMenu::PASTE_SPECIES) {
 		if (_clipboard.count_species() == 0) {
 			toast("GrassField: no species were copied. Select another field and choose Copy Species.");
 		} else {

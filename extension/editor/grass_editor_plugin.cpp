@@ -35,7 +35,7 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("tool_changed", callable_mp(this, &GrassEditorPlugin::_tool_changed));
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("species_dropped", callable_mp(this, &GrassEditorPlugin::_species_dropped));
-	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
+	_toolbar->get_menu()->connect("item_chosen", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_answer.create();
 	_export_plugin.instantiate();
@@ -153,7 +153,7 @@ void GrassEditorPlugin::_edit(Object *p_object) {
 	_frames_to_offer = 0;
 	_selected_id = p_object == nullptr ? 0 : p_object->get_instance_id();
 	if (_toolbar != nullptr) {
-		_toolbar->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
+		_toolbar->get_menu()->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
 	}
 }
 

@@ -15,7 +15,6 @@ LIMIT = 400
 LARGER = {
 	"extension/core/tiles/tile_meetings.h": 707,
 	"extension/core/tiles/tiles.h": 800,
-	"extension/editor/brush_toolbar.h": 601,
 	"extension/editor/grass_editor_plugin.h": 784,
 	"extension/gpu/gpu_field.h": 790,
 	"extension/ground/field_terrain.h": 458,
