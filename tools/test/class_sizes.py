@@ -16,7 +16,6 @@ LARGER = {
 	"extension/core/tiles/tile_meetings.h": 707,
 	"extension/core/tiles/tiles.h": 800,
 	"extension/editor/grass_editor_plugin.h": 784,
-	"extension/gpu/gpu_field.h": 790,
 }
 
 COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
