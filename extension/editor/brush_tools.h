@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The toolbar's buttons of which at most one is pressed: one for each tool, and one that asks why there is no grass.
+// The toolbar's buttons of which at most one is pressed: one for each tool, and one that explains why there is no grass.
 #pragma once
 
 #include "resources/grass_brush.h"
