@@ -25,7 +25,7 @@ bool is_too_large(double p_area) {
 
 // Returns whether it was one of the clipboard's items.
 bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
-	const GrassField *field = Object::cast_to<GrassField>(find_selected());
+	const GrassField *field = _grass.find_field();
 	if (field == nullptr || p_item < BrushMenu::COPY || p_item > BrushMenu::PASTE_SPECIES) {
 		return false;
 	}
@@ -67,7 +67,7 @@ bool GrassEditorPlugin::clipboard_key(Camera3D *p_camera, const InputEventKey &p
 		return false;
 	}
 	get_viewport()->set_input_as_handled();
-	const GrassField *field = Object::cast_to<GrassField>(find_selected());
+	const GrassField *field = _grass.find_field();
 	const double radius = _toolbar->get_brush()->get_reach();
 	if (field == nullptr || !is_reached(*field, point->place(), radius)) {
 		toast("GrassField: copy and paste act on the selected field. Select the field that you point at.");
@@ -84,7 +84,7 @@ bool GrassEditorPlugin::clipboard_key(Camera3D *p_camera, const InputEventKey &p
 
 // p_middle: x, z in metres from the selected field's centre.
 void GrassEditorPlugin::paste(const Eigen::Vector2d &p_middle) {
-	if (!may_change([this, p_middle] { paste(p_middle); })) {
+	if (!_grass.may_change([this, p_middle] { paste(p_middle); })) {
 		return;
 	}
 	int missing = 0;
