@@ -166,7 +166,6 @@ WorldStatistics WorldPlots::get_statistics() const {
 		statistics.waiting += plot.state == State::STANDING || plot.state == State::EMPTY ? 0 : 1;
 		statistics.changed += field != nullptr && is_changed(plot, *field) ? 1 : 0;
 	}
-	statistics.spare = int64_t(_fields.count_spare());
 	statistics.memory = int64_t(_memory.count_used());
 	return statistics;
 }

@@ -19,10 +19,9 @@ struct WorldSettings {
 };
 
 struct WorldStatistics {
-	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; waiting ones are being read or made
+	int64_t plots = 0, waiting = 0, changed = 0; // now; waiting ones are being read or made
 	int64_t memory = 0; // bytes in use
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
-	double most_build_ms = 0.0; // longest time for one field in one frame
 	int64_t most_moves = 0; // most plots that were added or left in one frame
 	int64_t tests = 0; // distances and paths that the last frame compared with plots
 };

@@ -70,7 +70,6 @@ void WorldPlots::show_coming() {
 		const PlotKey shown = key;
 		const uint64_t id = plot.field;
 		plot.state = State::STANDING;
-		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
 		if (run([&] { field->set_visible(true); }) && field_with(id) != nullptr) { // a script may be notified
 			_tell("plot_loaded", shown, field);
 		}

@@ -145,7 +145,6 @@ Dictionary WorldReport::get_statistics() const {
 	result["plots"] = plots.plots;
 	result["waiting"] = plots.waiting;
 	result["changed"] = plots.changed;
-	result["spare"] = plots.spare;
 	result["memory"] = plots.memory;
 	result["reach"] = std::min(_plots.get_plan().reach, _properties.camera_radius);
 	result["distance_tests"] = plots.tests;
@@ -156,7 +155,6 @@ Dictionary WorldReport::get_statistics() const {
 	const FrameShare::Most most = FrameShare::get_most();
 	result["most_parts"] = most.parts;
 	result["most_bytes"] = most.bytes;
-	result["most_build_ms"] = plots.most_build_ms;
 	result["bodies"] = _eyes.get_body_count();
 	result["files_waiting"] = files.waiting;
 	result["files_read"] = files.read;
@@ -164,8 +162,6 @@ Dictionary WorldReport::get_statistics() const {
 	result["files_refused"] = files.refused;
 	result["files_kept"] = files.kept;
 	result["files_kept_elsewhere"] = files.kept_elsewhere;
-	result["bytes_read"] = files.bytes_read;
-	result["bytes_written"] = files.bytes_written;
 	result["frame_ms"] = _frame_ms;
 	result["most_frame_ms"] = _most_frame_ms;
 	return result;
