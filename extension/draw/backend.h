@@ -59,7 +59,7 @@ public:
 	// Sets the meshes of the field's species, after the field was made; its uniforms must be set again. p_plants_of: see
 	// PlantCull::choose(); it must stay valid as long as the field.
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
-	// Binds what shaders and passes read of the field's map, after set_plants() and whenever that is something else.
+	// Binds what shaders and passes read of the field's map. Must be called after set_plants(), and whenever that changes.
 	virtual void set_map(const MapBinding &p_map) {
 		p_map.set_uniforms([this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); });
 	}

@@ -40,7 +40,7 @@ public:
 	bool can_work() const { return _arrays.can_work() || _ledges.can_work(); }
 	void work(const MapLayers &p_layers);
 	bool are_made(int p_room) const { return _arrays.get_room() >= std::max(p_room, 1) && !is_growing(); }
-	// Whether bind() would return something else than the last time.
+	// Whether bind() would return something else than before.
 	bool are_new() const { return _are_new; }
 	MapBinding bind(const MapLayers &p_layers);
 	int64_t get_uploaded_bytes() const { return _uploaded + _arrays.get_uploaded_bytes() + _ledges.get_uploaded_bytes(); } // since made

@@ -20,7 +20,7 @@ godot::Ref<godot::ImageTexture> patch_texture(const std::shared_ptr<const Patch>
 // Returns RGBA8, GRASS_LATTICE_CELLS on each side: the numbers that [Eq B1] blends, for the draw shaders. All fields share it; the first
 // call makes it, and it is kept until the extension ends.
 godot::Ref<godot::ImageTexture> lattice_texture();
-// Returns RGBA8 with mipmaps, GRASS_LEAF_PICTURES layers of make_leaf_picture(). Shared and kept likewise.
+// Returns RGBA8 with mipmaps, GRASS_LEAF_PICTURES layers of make_leaf_picture(). Shared and kept in the same way.
 godot::Ref<godot::Texture2DArray> leaf_textures();
 void free_shared_textures();
 

@@ -7,7 +7,6 @@
 #include "editor/tool_info.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
-#include <godot_cpp/classes/popup_menu.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -26,15 +25,6 @@ constexpr real_t DOCKS = 540, NARROWEST = 480, MARGIN = 8;
 
 } // namespace
 
-EditorSpinSlider *BrushToolbar::slider_of(BrushParamId p_param) const {
-	for (const Slider &entry : _sliders) {
-		if (entry.param == p_param) {
-			return entry.slider;
-		}
-	}
-	return nullptr;
-}
-
 void BrushToolbar::_notification(int p_what) {
 	if (p_what == NOTIFICATION_THEME_CHANGED) {
 		load_icons();
@@ -44,10 +34,7 @@ void BrushToolbar::_notification(int p_what) {
 		while (editor != nullptr && editor->get_class() != "Node3DEditor") {
 			editor = editor->get_parent();
 		}
-		for (Button *button : _tools) {
-			button->set_shortcut_context(editor);
-		}
-		_why->set_shortcut_context(editor);
+		_tools.set_context(editor);
 		get_window()->connect("size_changed", callable_mp(this, &BrushToolbar::fit));
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
 		get_window()->disconnect("size_changed", callable_mp(this, &BrushToolbar::fit));
@@ -59,15 +46,15 @@ void BrushToolbar::fit() {
 		return;
 	}
 	const real_t gap = real_t(get_theme_constant("h_separation", "FlowContainer"));
-	const Control *stamps[] = { _stamp, slider_of(BRUSH_STAMP_ROTATION), slider_of(BRUSH_STAMP_RANDOM) };
+	const Control *stamps[] = { _stamp, _numbers.of(BRUSH_STAMP_ROTATION), _numbers.of(BRUSH_STAMP_RANDOM) };
 	real_t width = -gap;
 	for (const Control *control : stamps) {
 		width += control->get_combined_minimum_size().x + gap;
 	}
-	slider_of(BRUSH_HARDNESS)->set_custom_minimum_size(Vector2(width, 0)); // which takes their place
+	_numbers.of(BRUSH_HARDNESS)->set_custom_minimum_size(Vector2(width, 0)); // which takes their place
 	_shape->set_custom_minimum_size(Vector2(width, 0));
 	const real_t color = _color->is_visible() ? _color->get_combined_minimum_size().x + gap : real_t(0);
-	slider_of(BRUSH_TARGET)->set_custom_minimum_size(Vector2(_no_target->get_combined_minimum_size().x - color, 0));
+	_numbers.of(BRUSH_TARGET)->set_custom_minimum_size(Vector2(_no_target->get_combined_minimum_size().x - color, 0));
 	real_t rows[2] = { -gap, -gap }, tallest = 0;
 	for (int32_t i = 0; i < get_child_count(); i++) {
 		const Control *control = Object::cast_to<Control>(get_child(i));
@@ -78,7 +65,7 @@ void BrushToolbar::fit() {
 	const real_t widest = std::max(rows[0] + gap, rows[1]);
 	_row_end->set_custom_minimum_size(Vector2(std::max(real_t(0), widest - rows[0] - gap), tallest)); // nothing else has room beside it
 	for (const BrushParamId param : { BRUSH_RADIUS, BRUSH_HARDNESS, BRUSH_STAMP_ROTATION, BRUSH_STAMP_RANDOM }) {
-		slider_of(param)->set_custom_minimum_size(Vector2(slider_of(param)->get_custom_minimum_size().x, tallest));
+		_numbers.of(param)->set_custom_minimum_size(Vector2(_numbers.of(param)->get_custom_minimum_size().x, tallest));
 	}
 	const real_t scale = real_t(EditorInterface::get_singleton()->get_editor_scale());
 	const real_t room = std::max(real_t(get_window()->get_size().x) - DOCKS * scale, NARROWEST * scale);
@@ -92,23 +79,21 @@ void BrushToolbar::show_brush() {
 	_showing = true; // sliders notify of each change
 	const GrassBrush::Tool tool = _brush->get_tool();
 	const ToolInfo &info = info_of(tool);
-	for (const Slider &entry : _sliders) {
-		entry.slider->set_value(_brush->get_param(entry.param));
-	}
+	_numbers.show(**_brush);
 	_species->show_species(_brush->get_species());
 	_color->set_pick_color(_brush->get_color());
 	_channel->select(_channel->get_item_index(int32_t(_brush->get_channel())));
-	slider_of(BRUSH_TARGET)->set_label(info.target == nullptr ? "" : info.target);
+	_numbers.of(BRUSH_TARGET)->set_label(info.target == nullptr ? "" : info.target);
 	const bool own_target = tool == GrassBrush::TOOL_CUT || tool == GrassBrush::TOOL_SPECIES;
-	slider_of(BRUSH_TARGET)->set_visible(info.target != nullptr && !own_target);
-	slider_of(BRUSH_CUT_HEIGHT)->set_visible(tool == GrassBrush::TOOL_CUT);
+	_numbers.of(BRUSH_TARGET)->set_visible(info.target != nullptr && !own_target);
+	_numbers.of(BRUSH_CUT_HEIGHT)->set_visible(tool == GrassBrush::TOOL_CUT);
 	const bool has_stamp = _brush->get_stamp().is_valid();
 	_stamp->set_button_icon(_brush->get_stamp());
 	_stamp->set_visible(has_stamp);
-	slider_of(BRUSH_HARDNESS)->set_visible(!has_stamp);
-	slider_of(BRUSH_STAMP_ROTATION)->set_visible(has_stamp);
-	slider_of(BRUSH_STAMP_RANDOM)->set_visible(has_stamp);
-	_species->set_visible(_has_tool && tool == GrassBrush::TOOL_SPECIES);
+	_numbers.of(BRUSH_HARDNESS)->set_visible(!has_stamp);
+	_numbers.of(BRUSH_STAMP_ROTATION)->set_visible(has_stamp);
+	_numbers.of(BRUSH_STAMP_RANDOM)->set_visible(has_stamp);
+	_species->set_visible(has_tool() && tool == GrassBrush::TOOL_SPECIES);
 	_color->set_visible(tool == GrassBrush::TOOL_TINT);
 	_channel->set_visible(tool == GrassBrush::TOOL_SMOOTH);
 	_no_target->set_visible(tool == GrassBrush::TOOL_ERASE || tool == GrassBrush::TOOL_SPECIES);
@@ -126,10 +111,7 @@ Color BrushToolbar::get_tool_color(MapTool p_tool) const {
 }
 
 void BrushToolbar::put_tool_down() {
-	for (Button *button : _tools) {
-		button->set_pressed(false);
-	}
-	_why->set_pressed(false);
+	_tools.release();
 }
 
 void BrushToolbar::nudge(Number p_number, int p_notches) {
@@ -147,12 +129,8 @@ void BrushToolbar::nudge(Number p_number, int p_notches) {
 }
 
 void BrushToolbar::_tool_toggled(bool) {
-	_has_tool = false;
-	for (size_t i = 0; i < _tools.size(); i++) {
-		if (_tools[i]->is_pressed()) {
-			_has_tool = true;
-			_brush->set_tool(TOOLS[i].tool);
-		}
+	if (const auto tool = _tools.get_pressed()) {
+		_brush->set_tool(*tool);
 	}
 	show_brush();
 	emit_signal("tool_changed");
@@ -177,9 +155,7 @@ void BrushToolbar::_number_changed(double) {
 		return;
 	}
 	_showing = true; // the brush notifies of each change, while other sliders are not read yet
-	for (const Slider &entry : _sliders) {
-		_brush->set_param(entry.param, entry.slider->get_value());
-	}
+	_numbers.take(**_brush);
 	_showing = false;
 	show_brush();
 }
@@ -190,11 +166,7 @@ void BrushToolbar::_species_selected(int64_t p_index) {
 }
 
 void BrushToolbar::take_species(int64_t p_species) {
-	for (size_t i = 0; i < _tools.size(); i++) {
-		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
-			_tools[i]->set_pressed(true);
-		}
-	}
+	_tools.press(GrassBrush::TOOL_SPECIES);
 	_species->set_chosen();
 	_brush->set_species(p_species);
 }
@@ -235,50 +207,14 @@ void BrushToolbar::_channel_selected(int64_t p_index) {
 	_brush->set_channel(_channel->get_item_id(int32_t(p_index)));
 }
 
-void BrushToolbar::_limits_pressed() {
-	const Vector2 below = _limits->get_screen_position() + Vector2(0, _limits->get_size().y);
-	_limits_panel->popup(Rect2i(Vector2i(below), Vector2i()));
-}
-
-bool BrushToolbar::is_checked(MenuItem p_item) const {
-	const PopupMenu *popup = _menu->get_popup();
-	return popup->is_item_checked(popup->get_item_index(p_item));
-}
-
-void BrushToolbar::fit_to_world(bool p_is_world) {
-	PopupMenu *popup = _menu->get_popup();
-	for (const MenuItem item : { MENU_BARE, MENU_FULL, MENU_CLEAR, MENU_NEIGHBOURS, MENU_UNIQUE, MENU_COPY, MENU_PASTE, MENU_COPY_SPECIES,
-				 MENU_PASTE_SPECIES }) {
-		popup->set_item_disabled(popup->get_item_index(item), p_is_world);
-	}
-}
-
-bool BrushToolbar::follows_ground() const {
-	return is_checked(MENU_FOLLOW);
-}
-
-bool BrushToolbar::paints_neighbours() const {
-	return is_checked(MENU_NEIGHBOURS);
-}
-
 void BrushToolbar::_bake_pressed() {
 	emit_signal("bake_pressed");
-}
-
-void BrushToolbar::_menu_pressed(int64_t p_item) {
-	PopupMenu *popup = _menu->get_popup();
-	if (popup->is_item_checkable(popup->get_item_index(int32_t(p_item)))) {
-		popup->toggle_item_checked(popup->get_item_index(int32_t(p_item)));
-		return;
-	}
-	emit_signal("menu_pressed", p_item);
 }
 
 void BrushToolbar::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("tool_changed"));
 	ADD_SIGNAL(MethodInfo("bake_pressed"));
 	ADD_SIGNAL(MethodInfo("species_dropped", PropertyInfo(Variant::ARRAY, "species")));
-	ADD_SIGNAL(MethodInfo("menu_pressed", PropertyInfo(Variant::INT, "item")));
 }
 
 } // namespace grass

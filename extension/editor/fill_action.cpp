@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/fill_action.h"
 
-#include "editor/field_stroke.h"
 #include "editor/map_step.h"
 #include "editor/own_map_dialog.h"
 #include "editor/toast.h"
@@ -28,13 +27,12 @@ void mark_edited(const Ref<Resource> &p_resource) {
 
 // A field without a map gets one with grass everywhere.
 void fill_own(GrassField &r_field) {
-	const bool is_new = r_field.get_map().is_null();
-	const Ref<GrassMap> map = is_new ? add_map(&r_field, false) : r_field.get_map();
-	const Ref<GrassMapSnapshot> before = map->take_snapshot();
-	r_field.get_parts().sources.fill_whole(r_field.get_fill_rule());
-	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
-	const MapStep step{ map, before, is_new ? &r_field : nullptr };
-	add_map_steps(history, "Fill Grass", &r_field, { &step, 1 });
+	GrassField *field = &r_field;
+	change_maps(EditorInterface::get_singleton()->get_editor_undo_redo(), "Fill Grass", { &field, 1 }, nullptr, false,
+			[](GrassField &r_own, GrassMap &) {
+				r_own.get_parts().sources.fill_whole(r_own.get_fill_rule());
+				return true;
+			});
 }
 
 void fill(GrassField &r_field) {

@@ -25,16 +25,16 @@ bool is_too_large(double p_area) {
 
 // Returns whether it was one of the clipboard's items.
 bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
-	const GrassField *field = Object::cast_to<GrassField>(find_selected());
-	if (field == nullptr || p_item < BrushToolbar::MENU_COPY || p_item > BrushToolbar::MENU_PASTE_SPECIES) {
+	const GrassField *field = _grass.find_field();
+	if (field == nullptr || p_item < BrushMenu::COPY || p_item > BrushMenu::PASTE_SPECIES) {
 		return false;
 	}
 	finish_stroke();
 	const Vector2 size = field->get_parts().settings.get_size();
-	if (p_item == BrushToolbar::MENU_COPY && !is_too_large(double(size.x) * double(size.y))) {
+	if (p_item == BrushMenu::COPY && !is_too_large(double(size.x) * double(size.y))) {
 		_clipboard.copy_field(*field);
 		toast("GrassField: copied what is painted in the field.", EditorToaster::SEVERITY_INFO);
-	} else if (p_item == BrushToolbar::MENU_PASTE) {
+	} else if (p_item == BrushMenu::PASTE) {
 		if (_clipboard.is_of_field()) {
 			paste(Eigen::Vector2d::Zero());
 		} else {
@@ -42,10 +42,10 @@ bool GrassEditorPlugin::clipboard_pressed(int64_t p_item) {
 				  "copied "
 				  "under the brush.");
 		}
-	} else if (p_item == BrushToolbar::MENU_COPY_SPECIES) {
+	} else if (p_item == BrushMenu::COPY_SPECIES) {
 		_clipboard.copy_species(*field);
 		toast(vformat("GrassField: copied %d species.", _clipboard.count_species()), EditorToaster::SEVERITY_INFO);
-	} else if (p_item == BrushToolbar::MENU_PASTE_SPECIES) {
+	} else if (p_item == BrushMenu::PASTE_SPECIES) {
 		if (_clipboard.count_species() == 0) {
 			toast("GrassField: no species were copied. Select another field and choose Copy Species.");
 		} else {
@@ -67,7 +67,7 @@ bool GrassEditorPlugin::clipboard_key(Camera3D *p_camera, const InputEventKey &p
 		return false;
 	}
 	get_viewport()->set_input_as_handled();
-	const GrassField *field = Object::cast_to<GrassField>(find_selected());
+	const GrassField *field = _grass.find_field();
 	const double radius = _toolbar->get_brush()->get_reach();
 	if (field == nullptr || !is_reached(*field, point->place(), radius)) {
 		toast("GrassField: copy and paste act on the selected field. Select the field that you point at.");
@@ -84,7 +84,7 @@ bool GrassEditorPlugin::clipboard_key(Camera3D *p_camera, const InputEventKey &p
 
 // p_middle: x, z in metres from the selected field's centre.
 void GrassEditorPlugin::paste(const Eigen::Vector2d &p_middle) {
-	if (!may_change([this, p_middle] { paste(p_middle); })) {
+	if (!_grass.may_change([this, p_middle] { paste(p_middle); })) {
 		return;
 	}
 	int missing = 0;

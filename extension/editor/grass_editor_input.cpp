@@ -73,8 +73,8 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 		return AFTER_GUI_INPUT_STOP;
 	}
 	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
-		GrassWorld *world = Object::cast_to<GrassWorld>(find_selected());
-		const PaintedFields asked = world != nullptr ? *find_painted() : painted_neighbours(find_field());
+		GrassWorld *world = _grass.find_world();
+		const PaintedFields asked = world != nullptr ? *find_painted() : painted_neighbours(_grass.find_field());
 		if (const auto point = pick_ground(asked, p_camera, motion->get_position(), ASKED_AROUND)) {
 			_ring.show(asked, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
 			const Vector3 place = to_godot(Eigen::Vector3d(asked.space * point->position));
@@ -147,7 +147,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		}
 		finish_stroke();
 		const auto point = show_brush(p_camera, p_button->get_position(), keys_of(p_button.ptr()), false);
-		if (point && may_change()) {
+		if (point && _grass.may_change()) {
 			finish_ground();
 			_stroke.begin(*find_painted(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}

@@ -13,9 +13,8 @@
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
-
-#include <utility>
 
 using namespace godot;
 
@@ -35,7 +34,7 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("tool_changed", callable_mp(this, &GrassEditorPlugin::_tool_changed));
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("species_dropped", callable_mp(this, &GrassEditorPlugin::_species_dropped));
-	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
+	_toolbar->get_menu()->connect("item_chosen", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_answer.create();
 	_export_plugin.instantiate();
@@ -84,12 +83,12 @@ void GrassEditorPlugin::_notification(int p_what) {
 	if (p_what == NOTIFICATION_APPLICATION_FOCUS_OUT || p_what == NOTIFICATION_WM_WINDOW_FOCUS_OUT) {
 		finish_stroke();
 	} else if (p_what == NOTIFICATION_DRAG_BEGIN) {
-		begin_drag();
+		_drops.begin(get_viewport()->gui_get_drag_data(), callable_mp(this, &GrassEditorPlugin::_species_dropped_on));
 	} else if (p_what == NOTIFICATION_DRAG_END) {
-		end_drag();
+		_drops.end();
 	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
 		update_toolbar();
-		_duplicates.update(EditorInterface::get_singleton()->get_edited_scene_root());
+		_grass.update();
 		if (!_toolbar->follows_ground()) {
 			_watch.forget();
 		} else if (!_stroke.is_active()) { // a stroke keeps a snapshot, which must contain whole strokes and all ground
@@ -103,10 +102,10 @@ void GrassEditorPlugin::update_toolbar() {
 	if (!_toolbar->is_visible()) {
 		return;
 	}
-	_toolbar->show_species(find_field());
+	_toolbar->show_species(_grass.find_first());
 	if (--_frames_to_offer <= 0) {
 		_frames_to_offer = FRAMES_AN_OFFER;
-		const GrassField *field = Object::cast_to<GrassField>(find_selected());
+		const GrassField *field = _grass.find_field();
 		const bool is_idle = field != nullptr && !_toolbar->has_tool() && !_toolbar->is_asking();
 		_toolbar->offer_bake(is_idle ? find_bake_offer(*field) : String());
 	}
@@ -126,18 +125,6 @@ void GrassEditorPlugin::finish_ground() {
 	}
 }
 
-bool GrassEditorPlugin::may_change(const std::function<void()> &p_then) {
-	const GrassField *field = Object::cast_to<GrassField>(find_selected());
-	_duplicates.update(EditorInterface::get_singleton()->get_edited_scene_root());
-	if (field != nullptr && !OwnMapDialog::may_change(*field, p_then)) {
-		return false;
-	}
-	if (field != nullptr && std::exchange(_told_id, _selected_id) != _selected_id) {
-		tell_of_sharing(*field);
-	}
-	return true;
-}
-
 void GrassEditorPlugin::_apply_changes() {
 	finish_stroke();
 	finish_ground();
@@ -149,11 +136,10 @@ bool GrassEditorPlugin::_handles(Object *p_object) const {
 
 void GrassEditorPlugin::_edit(Object *p_object) {
 	put_down();
-	_told_id = 0;
 	_frames_to_offer = 0;
-	_selected_id = p_object == nullptr ? 0 : p_object->get_instance_id();
+	_grass.select(p_object);
 	if (_toolbar != nullptr) {
-		_toolbar->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
+		_toolbar->get_menu()->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
 	}
 }
 
@@ -170,33 +156,6 @@ void GrassEditorPlugin::_make_visible(bool p_visible) {
 Dictionary GrassEditorPlugin::_get_state() const {
 	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last notification while this scene is the edited one
 	return {};
-}
-
-// Returns null once it is deleted, or while it is outside the tree.
-Node3D *GrassEditorPlugin::find_selected() const {
-	Node3D *node = _selected_id == 0 ? nullptr : Object::cast_to<Node3D>(ObjectDB::get_instance(_selected_id));
-	return node != nullptr && node->is_inside_tree() ? node : nullptr;
-}
-
-std::optional<PaintedFields> GrassEditorPlugin::find_painted() const {
-	Node3D *selected = find_selected();
-	if (GrassWorld *world = Object::cast_to<GrassWorld>(selected)) {
-		return painted_plots(world);
-	}
-	GrassField *field = Object::cast_to<GrassField>(selected);
-	if (field == nullptr) {
-		return {};
-	}
-	return _toolbar->paints_neighbours() ? painted_neighbours(field) : painted_field(field);
-}
-
-GrassField *GrassEditorPlugin::find_field() const {
-	Node3D *selected = find_selected();
-	if (GrassWorld *world = Object::cast_to<GrassWorld>(selected)) {
-		const std::optional<PaintedFields> painted = painted_plots(world);
-		return painted ? painted->fields[0] : nullptr;
-	}
-	return Object::cast_to<GrassField>(selected);
 }
 
 void GrassEditorPlugin::finish_stroke() {
@@ -224,7 +183,7 @@ void GrassEditorPlugin::_tool_changed() {
 	if (!_toolbar->has_tool()) {
 		put_down();
 	}
-	_toolbar->show_species(find_field());
+	_toolbar->show_species(_grass.find_first());
 }
 
 Dictionary GrassEditorPlugin::get_statistics() const {

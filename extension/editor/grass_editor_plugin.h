@@ -6,17 +6,18 @@
 #include "editor/answer_view.h"
 #include "editor/brush_preview.h"
 #include "editor/brush_toolbar.h"
+#include "editor/edited_grass.h"
 #include "editor/export_masks.h"
 #include "editor/grass_clipboard.h"
 #include "editor/grass_export_plugin.h"
 #include "editor/ground_watch.h"
+#include "editor/map_step.h"
 #include "editor/new_nodes.h"
 #include "editor/paint_stroke.h"
 #include "editor/picture_dialog.h"
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
-#include "editor/unique_field.h"
-#include "editor/view_drop.h"
+#include "editor/species_drops.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
@@ -25,8 +26,6 @@
 #include <godot_cpp/classes/input_event_mouse_button.hpp>
 #include <godot_cpp/classes/input_event_mouse_motion.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
-
-#include <functional>
 
 namespace grass {
 
@@ -57,9 +56,7 @@ protected:
 	void _notification(int p_what);
 
 private:
-	godot::Node3D *find_selected() const; // field or world, in the tree; or null
-	std::optional<PaintedFields> find_painted() const; // what the brush paints; empty: no field is ready
-	GrassField *find_field() const; // whose species the brush plants; or null
+	std::optional<PaintedFields> find_painted() const { return _grass.find_painted(_toolbar->paints_neighbours()); }
 	int32_t key_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
@@ -70,12 +67,8 @@ private:
 	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
-	// Returns whether the edited scene saves what is changed in the selected field's map. If not, asks, and may run p_then later.
-	bool may_change(const std::function<void()> &p_then = {});
 	void put_down(); // ends the stroke; hides ring, preview and answer
-	using MapChange = std::function<bool(GrassField &r_field, GrassMap &r_map)>; // returns whether anything was done
 	void change_maps(const char *p_name, const MapChange &p_change);
-	std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, const MapChange &p_change);
 	void update_toolbar();
 	void _node_added(godot::Object *p_node);
 	void _node_is_placed(int64_t p_id) { _new_nodes.furnish(uint64_t(p_id)); }
@@ -86,8 +79,6 @@ private:
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
 	void _species_dropped_on(godot::Object *p_field, const godot::Array &p_species);
-	void begin_drag();
-	void end_drag();
 	void make_selected_unique();
 	void _menu_pressed(int64_t p_item);
 	void _picture_chosen(const godot::String &p_path);
@@ -96,16 +87,14 @@ private:
 	godot::Ref<GrassExportPlugin> _export_plugin;
 	godot::Ref<ExportMasks> _export_masks;
 	godot::Ref<SizeHandles> _size_handles;
-	uint64_t _selected_id = 0; // of the selected field or world; 0: none
+	EditedGrass _grass;
 	NewNodes _new_nodes;
 	int _frames_to_offer = 0; // until the plugin looks again whether to offer a bake
 	PaintStroke _stroke;
 	GroundWatch _watch;
-	DuplicatedFields _duplicates;
-	uint64_t _told_id = 0; // of the selected field, once the editor has printed which other fields share its map
 	RingView _ring;
 	BrushPreview _preview;
-	std::vector<ViewDrop *> _drops; // exist while species are dragged
+	SpeciesDrops _drops;
 	godot::Vector2 _mouse; // last known place
 	AnswerView _answer;
 	PictureDialog _pictures;

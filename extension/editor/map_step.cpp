@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "editor/map_step.h"
 
+#include "editor/field_stroke.h"
+
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/undo_redo.hpp>
+
+#include <vector>
 
 using namespace godot;
 
@@ -31,6 +35,25 @@ void add_map_steps(EditorUndoRedoManager *p_history, const String &p_name, Objec
 		if (step.world == nullptr) { // a world saves its plots itself
 			EditorInterface::get_singleton()->set_object_edited(const_cast<GrassMap *>(step.map.ptr()), true);
 		}
+	}
+}
+
+void change_maps(EditorUndoRedoManager *p_history, const String &p_name, std::span<GrassField *const> p_fields, GrassWorld *p_world,
+		bool p_follows, const MapChange &p_change) {
+	std::vector<MapStep> steps;
+	for (GrassField *field : p_fields) {
+		const bool is_new = field->get_map().is_null();
+		const Ref<GrassMap> map = is_new ? add_map(field, p_follows) : field->get_map();
+		const Ref<GrassMapSnapshot> before = map->take_snapshot();
+		if (p_change(*field, **map)) {
+			const Vector2i plot = p_world != nullptr ? p_world->get_plot_at(field->get_global_position()) : Vector2i();
+			steps.push_back({ map, before, is_new ? field : nullptr, p_world, plot });
+		} else if (is_new) {
+			field->set_map(Ref<GrassMap>());
+		}
+	}
+	if (!steps.empty()) {
+		add_map_steps(p_history, p_name, p_world != nullptr ? static_cast<Object *>(p_world) : p_fields[0], steps);
 	}
 }
 

@@ -4,6 +4,7 @@
 #include "editor/grass_editor_plugin.h"
 #include "editor/kept_plots_dialog.h"
 #include "editor/limit_slider.h"
+#include "editor/limits_button.h"
 #include "editor/own_map_dialog.h"
 #include "editor/species_preview.h"
 
@@ -20,6 +21,8 @@ namespace grass {
 
 void register_editor() {
 	GDREGISTER_INTERNAL_CLASS(LimitSlider);
+	GDREGISTER_INTERNAL_CLASS(LimitsButton);
+	GDREGISTER_INTERNAL_CLASS(BrushMenu);
 	GDREGISTER_INTERNAL_CLASS(SpeciesPalette);
 	GDREGISTER_INTERNAL_CLASS(BrushToolbar);
 	GDREGISTER_INTERNAL_CLASS(ViewDrop);

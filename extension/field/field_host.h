@@ -21,7 +21,7 @@ public:
 	virtual godot::Transform3D drawn_transform() = 0;
 	// Makes the field if there is none yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
 	[[nodiscard]] virtual bool stand() = 0;
-	// Reads what scripts have a part in of the field to be made: ground, fill, meshes. Returns false if one of them freed the field.
+	// Reads the parts of the wanted field that scripts provide: ground, fill, meshes. Returns false if one of them freed the field.
 	[[nodiscard]] virtual bool read_scene() = 0;
 	virtual void stir() = 0; // must be called after any change that a tick or a frame has to follow
 	virtual void request_rebuild() = 0; // makes the field again, as the properties describe it

@@ -46,7 +46,6 @@ public:
 	// Returns whether advance() has nothing to do until ask() is called, or the driver refuses a pass.
 	bool rests() const { return !is_waiting() && !_is_new && !_standing.is_refused() && !_standing.get_picture().is_look_waiting(); }
 	ShownMap *get_map() const { return _wanted.map.get(); } // the map that waits to be shown, or null
-	double get_most_ms() const { return _most_ms; } // most milliseconds in one frame since the last ask()
 	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes
 	void add_to(FieldStatistics &r_statistics) const;
 
@@ -66,7 +65,7 @@ private:
 	std::unique_ptr<ShownMap> _prepared;
 	bool _is_reading = false; // scripts run; their queries find the field unchanged
 	bool _is_new = false; // its warnings are not reported yet
-	double _most_ms = 0.0;
+	double _most_ms = 0.0; // in one frame since the last ask()
 	int64_t _makings = 0; // so far
 };
 

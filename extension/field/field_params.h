@@ -36,7 +36,7 @@ inline constexpr Tunable SHADOW_DISTANCE{ "shadow_distance", "m", 0.0, 1000.0, 1
 
 // What must follow when a number changes.
 enum class Effect {
-	REBUILD, // the field is made anew, and all of its grass is at rest
+	REBUILD, // the field is made again, and all of its grass is at rest
 	STEP, // read at the next tick
 	UNIFORM, // handed to the shaders under the property's own name; the next frame reads it, too
 	TINT, // handed to the shaders with the other numbers of the clumps

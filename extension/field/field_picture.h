@@ -62,7 +62,7 @@ public:
 	void join(const FieldPicture &p_other) { _uniforms.join_wind(p_other._uniforms); }
 	// Advances the wind. Must be called in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
-	void show_wind_clock(); // after frames in which nobody saw it
+	void show_wind_clock(); // after frames in which no camera saw the field
 	// Must be called in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, _set); }
 	void show_sun_map(const godot::Vector4 &p_map) { _uniforms.set_sun_map(p_map, _set); } // see find_sun_map(); in each frame
@@ -97,7 +97,7 @@ private:
 	Part _part = Part::NOTHING;
 	int _rows_shown = 0; // of the cover
 	Look _look; // that it is shown with
-	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
+	bool _is_carried = false; // its ground is shown, in the colour of the blades that are not drawn
 	int64_t _wind_updates = 0; // frames that passed the wind's clock to the materials
 };
 

@@ -21,7 +21,7 @@ public:
 	static void set_soil(const FieldProperties &p_properties, const SetUniform &p_set);
 	static void set_clump(const ClumpParams &p_clump, const SetUniform &p_set);
 	void set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const;
-	// Sets how the field's axes lie in the world's, which the wind needs. Returns whether they lie otherwise than before.
+	// Sets the directions of the field's axes in the world, for the wind. Returns whether they have changed.
 	bool turn(const Eigen::Matrix3d &p_turn);
 	// p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground; p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,

@@ -122,7 +122,7 @@ private:
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
 	bool _was_blind = false; // of notice_blind_budget()
 	bool _is_whole = false; // see set_whole()
-	bool _is_measured = false; // somebody reads the monitors of times
+	bool _is_measured = false; // something reads the monitors of times
 	int64_t _builds = 0; // backends made
 };
 

@@ -18,8 +18,8 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_patch_texture(patch_texture(p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
-		_knot_report(std::make_shared<KnotReport>()),
-		_field(std::make_shared<GpuField>(_report)) {
+		_jobs(std::make_shared<GpuField>(_report)),
+		_knots(_jobs) {
 	_pool_texture.instantiate();
 	_pool_before_texture.instantiate();
 	_drawn_texture.instantiate();
@@ -29,15 +29,15 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("is_listed", true);
 	_materials.set("drawn_tiles", _drawn_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	post([setup = _setup, patch = _patch_texture, pool = _pool_texture, drawn = _drawn_texture](
-				 GpuField &r_field) { r_field.create(setup, patch->get_rid(), pool, drawn); });
+	_jobs.post([setup = _setup, patch = _patch_texture, pool = _pool_texture, drawn = _drawn_texture](
+					   GpuField &r_field) { r_field.create(setup, patch->get_rid(), pool, drawn); });
 }
 
 GpuBackend::~GpuBackend() {
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture
-	post([multimeshes = multimeshes()](GpuField &r_field) { r_field.free(multimeshes); });
+	_jobs.post([multimeshes = multimeshes()](GpuField &r_field) { r_field.free(multimeshes); });
 }
 
 void GpuBackend::set_look(const Look &p_look) {
@@ -82,8 +82,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_setup = p_setup;
 	_is_fitted = false;
 	_next_room.drop(); // its blades may grow otherwise
-	_watch.clear();
-	_knot_report = std::make_shared<KnotReport>(); // replies still on their way belong to the old field
+	_knots.clear();
 	if (has_other_blades) { // plants are set again
 		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : patch_texture(_setup.patch);
 		_materials.set("patch_knots", _patch_texture);
@@ -92,7 +91,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_next_patch_texture.unref();
 	_next_patch.reset();
 	set_bounds(field_bounds(_setup));
-	post([setup = _setup, patch = _patch_texture](GpuField &r_field) { r_field.set_field(setup, patch->get_rid()); });
+	_jobs.post([setup = _setup, patch = _patch_texture](GpuField &r_field) { r_field.set_field(setup, patch->get_rid()); });
 	return true;
 }
 
@@ -103,18 +102,19 @@ bool GpuBackend::is_complete() const {
 void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
 	_steps++;
-	post([records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure](
-				 GpuField &r_field) { r_field.step(records, measure); });
+	_jobs.post([records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure](
+					   GpuField &r_field) { r_field.step(records, measure); });
 }
 
 void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
-	post([slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step](GpuField &r_field) { r_field.join(slots, step); });
+	_jobs.post([slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step](
+					   GpuField &r_field) { r_field.join(slots, step); });
 }
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 	_share = -1.0f; // the next frame mixes again, if frames do
-	post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end()), room = _next_room.take(p_slots)](
-				 GpuField &r_field) { r_field.resize_pool(p_slots, moves, room.get()); });
+	_jobs.post([p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end()), room = _next_room.take(p_slots)](
+					   GpuField &r_field) { r_field.resize_pool(p_slots, moves, room.get()); });
 }
 
 bool GpuBackend::prepare_pool(int p_slots) {
@@ -123,7 +123,7 @@ bool GpuBackend::prepare_pool(int p_slots) {
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
-	const bool is_same = _is_settled && _is_fitted && _view == p_view && _report->settled == _frames;
+	const bool is_same = _jobs.get_posted() == _drawn_jobs && _is_fitted && _view == p_view && _report->settled == _frames;
 	if (is_same && !_measure && !_has_motion) {
 		return;
 	}
@@ -132,9 +132,9 @@ void GpuBackend::draw(const FieldView &p_view) {
 	view.painted = _painted;
 	view.plant_reach = p_view.plant_reach;
 	view.number = ++_frames;
-	post([records = std::move(view), multimeshes = multimeshes(), measure = _measure](
-				 GpuField &r_field) { r_field.draw(records, multimeshes, measure); });
-	_is_settled = true;
+	_jobs.post([records = std::move(view), multimeshes = multimeshes(), measure = _measure](
+					   GpuField &r_field) { r_field.draw(records, multimeshes, measure); });
+	_drawn_jobs = _jobs.get_posted();
 }
 
 SharedMesh GpuBackend::find_mesh(LevelSet p_all) const {
@@ -161,19 +161,19 @@ void GpuBackend::show_between(bool p_is_between, float p_share) {
 	if (_is_between != p_is_between) {
 		_is_between = p_is_between;
 		_share = -1.0f; // no frame has shown a mix yet
-		post([p_is_between](GpuField &r_field) { r_field.set_between(p_is_between); });
+		_jobs.post([p_is_between](GpuField &r_field) { r_field.set_between(p_is_between); });
 	}
 	if (_is_between && _steps > 0 && (_has_stepped || _share != p_share)) {
 		_share = p_share;
 		_has_stepped = true; // the blades of this frame have moved, also for motion vectors
-		post([p_share](GpuField &r_field) { r_field.mix(p_share); });
+		_jobs.post([p_share](GpuField &r_field) { r_field.mix(p_share); });
 	}
 }
 
 void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
 	if (_has_motion != p_is_read) {
 		_has_motion = p_is_read;
-		post([texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()](GpuField &r_field) { r_field.set_motion(texture); });
+		_jobs.post([texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()](GpuField &r_field) { r_field.set_motion(texture); });
 		set_uniform("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
 		set_bounds(_bounds);
 	}
@@ -211,7 +211,7 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	if (p_changed.count() > 0) { // whole rows, with a single copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
-		post([first, bytes = to_bytes(tiles)](GpuField &r_field) { r_field.set_cover(first, bytes); });
+		_jobs.post([first, bytes = to_bytes(tiles)](GpuField &r_field) { r_field.set_cover(first, bytes); });
 	}
 }
 
@@ -231,16 +231,16 @@ StepTime GpuBackend::read_step_time() {
 }
 
 BackendStatistics GpuBackend::get_statistics() {
-	take_knots();
-	std::lock_guard lock(_report->mutex);
-	BackendStatistics statistics = _report->statistics;
-	statistics.render_jobs = _render_jobs;
+	BackendStatistics statistics;
+	{
+		std::lock_guard lock(_report->mutex);
+		statistics = _report->statistics;
+	}
+	_knots.add_to(statistics, _steps);
+	statistics.render_jobs = _jobs.get_posted();
 	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates() + _plants.get_updates();
 	statistics.compiling = CompileQueue::get().count_compiling();
-	statistics.knots_read = _knots_read;
-	statistics.knot_waits = _knot_waits;
 	statistics.undrawn_batches = RenderQueue::get_singleton()->get_undrawn_batches();
-	statistics.knots_age = _watch.get_age(_steps);
 	return statistics;
 }
 
@@ -252,7 +252,7 @@ BackendMemory GpuBackend::get_memory() const {
 	std::lock_guard lock(_report->mutex);
 	memory.pool = _report->statistics.pool_bytes;
 	memory.all = memory.shared + instances + _plants.get_memory_usage() + mesh_bytes(_surfaces, _setup.card_size > 0.0f) +
-			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
+			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _knots.get_memory_usage());
 	return memory;
 }
 

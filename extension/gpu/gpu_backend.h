@@ -3,17 +3,17 @@
 // instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other side.
 #pragma once
 
-#include "core/field/knot_watch.h"
 #include "core/lod/field_levels.h"
 #include "draw/backend.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/plants.h"
+#include "gpu/field_jobs.h"
 #include "gpu/field_passes.h"
+#include "gpu/knot_queries.h"
 #include "gpu/next_room.h"
 #include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
-#include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/texture2drd.hpp>
@@ -22,10 +22,8 @@
 
 namespace grass {
 
-class GpuField;
 struct FieldMultiMeshes;
 struct GpuReport;
-struct KnotReport;
 
 class GpuBackend : public Backend {
 public:
@@ -55,21 +53,15 @@ public:
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
-	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) override;
-	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override;
-	void read_asked(const SlotOf &p_slot_of) override;
+	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) override { return _knots.find_knots(p_blades); }
+	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override { return _knots.wait_for_knots(p_blades); }
+	void read_asked(const SlotOf &p_slot_of) override { _knots.read_asked(p_slot_of, _steps); }
 	EnergyReport read_energy() override;
 	BackendStatistics get_statistics() override;
 	BackendMemory get_memory() const override;
 	const char *get_name() const override { return "GPU"; }
 
 private:
-	// Runs p_job(field) on the render thread. What it captures must be a copy.
-	template <typename F> void post(F &&p_job) {
-		_render_jobs++;
-		_is_settled = false;
-		RenderQueue::get_singleton()->post([field = _field, job = std::forward<F>(p_job)]() mutable { job(*field); });
-	}
 	// 8.6 MB. More: a driver takes longer to make them than a frame has to spare. Fewer: tiles wait for a tick or two more often.
 	static constexpr int SLOTS_AT_ONCE = 256;
 
@@ -78,7 +70,6 @@ private:
 	void set_bounds(const godot::AABB &p_bounds);
 	SharedMesh find_mesh(LevelSet p_all) const;
 	void fit_meshes(const FieldView &p_view);
-	void take_knots();
 
 	FieldSetup _setup;
 	bool _measure = false;
@@ -92,9 +83,8 @@ private:
 	// Of the last frame: the view; the levels that tiles may have in it; those that the meshes have, of picture and shadows at least one.
 	FieldView _view;
 	bool _is_fitted = false; // to that view
-	bool _is_settled = false; // nothing was posted since that frame
+	int64_t _drawn_jobs = -1; // posted up to that frame; -1: it is to be drawn again
 	uint64_t _frames = 0; // drawn
-	int64_t _render_jobs = 0;
 	LevelSet _levels = 0, _surfaces = LevelSet(1) << (GRASS_LOD_LEVELS - 1) | LevelSet(1) << (GRASS_ALL_LEVELS - 1);
 	TileCover::Tile _ground = TileCover::FULL; // see find_levels()
 	Plants _plants;
@@ -110,11 +100,9 @@ private:
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
 	uint64_t _steps = 0; // passed to the device so far
-	KnotWatch _watch;
-	std::shared_ptr<KnotReport> _knot_report; // of the running field
-	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
+	FieldJobs _jobs;
+	KnotQueries _knots;
 	NextRoom _next_room;
-	std::shared_ptr<GpuField> _field; // used only by jobs on the render thread
 };
 
 } // namespace grass

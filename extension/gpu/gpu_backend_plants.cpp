@@ -31,7 +31,7 @@ void GpuBackend::set_map(const MapBinding &p_map) {
 	Backend::set_map(p_map);
 	if (!_plants.is_empty()) {
 		_painted = { p_map.pages, p_map.species, p_map.origin };
-		_is_settled = false;
+		_drawn_jobs = -1;
 	}
 }
 
@@ -41,7 +41,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	if (_plants.is_empty() && !has_any) {
 		return;
 	}
-	post([setup = _setup](GpuField &r_field) { r_field.set_plants(setup, {}); }); // while they are still there
+	_jobs.post([setup = _setup](GpuField &r_field) { r_field.set_plants(setup, {}); }); // while they are still there
 	_plants.set(
 			p_plants, [this](float p_distance) { return plant_room(_setup, p_distance); }, shader_features(_setup), true, _bounds);
 	set_bounds(_bounds);
@@ -56,7 +56,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 		const PlantKind kind = plant->drawn.kind(plant->stage, 1.0f, _setup.grid.get_tile_size());
 		targets.push_back({ plant->instance.multimesh(), plant->number(), plant->instance.capacity(), int(plant->materials.size()), kind });
 	}
-	post([setup = _setup, targets](GpuField &r_field) { r_field.set_plants(setup, targets); });
+	_jobs.post([setup = _setup, targets](GpuField &r_field) { r_field.set_plants(setup, targets); });
 }
 
 } // namespace grass

@@ -48,10 +48,10 @@ Stopwatch::~Stopwatch() {
 	}
 }
 
-GpuTimes read_gpu_times(const void *p_owner) {
+void report_gpu_times(const void *p_owner, GpuReport &r_report) {
 	RenderingDevice *device = main_device();
 	const String cull = end_of(Stopwatch::CULL, p_owner), simulate = end_of(Stopwatch::SIMULATE, p_owner);
-	GpuTimes times;
+	double simulate_ms = 0.0, cull_ms = 0.0;
 	int steps = 0; // a slow frame has several
 	const uint32_t count = device->get_captured_timestamps_count();
 	for (uint32_t i = 1; i < count; i++) { // each of ours ends a span that began at the timestamp before it
@@ -61,14 +61,17 @@ GpuTimes read_gpu_times(const void *p_owner) {
 		}
 		const double ms = double(device->get_captured_timestamp_gpu_time(i) - device->get_captured_timestamp_gpu_time(i - 1)) * 1e-6;
 		if (name == cull) {
-			times.cull_ms = ms;
+			cull_ms = ms;
 		} else if (name == simulate) {
-			times.simulate_ms += ms;
+			simulate_ms += ms;
 			steps++;
 		}
 	}
-	times.simulate_ms /= steps > 0 ? steps : 1;
-	return times;
+	std::lock_guard lock(r_report.mutex);
+	BackendStatistics &statistics = r_report.statistics;
+	statistics.simulate_ms = simulate_ms > 0.0 ? simulate_ms / steps : statistics.simulate_ms;
+	statistics.timed_steps += simulate_ms > 0.0 ? 1 : 0;
+	statistics.cull_ms = cull_ms > 0.0 ? cull_ms : statistics.cull_ms;
 }
 
 } // namespace grass

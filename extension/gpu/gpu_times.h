@@ -2,14 +2,16 @@
 // Measures how long the passes take on the GPU, with timestamps around them that are read about two frames later. Render thread.
 #pragma once
 
+#include "gpu/gpu_report.h"
+
 namespace grass {
 
-// Brackets work between two GPU timestamps, named so that read_gpu_times() finds them.
+// Brackets work between two GPU timestamps, named so that report_gpu_times() finds them.
 class Stopwatch {
 public:
 	enum Pass { SIMULATE, CULL };
 
-	// p_owner: the object that passes itself to read_gpu_times().
+	// p_owner: the object that passes itself to report_gpu_times().
 	Stopwatch(bool p_measure, Pass p_pass, const void *p_owner);
 	~Stopwatch();
 
@@ -19,12 +21,7 @@ private:
 	const void *_owner;
 };
 
-// The times of a frame that the GPU has finished, in milliseconds; 0: the frame had no such pass.
-struct GpuTimes {
-	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull
-};
-
-// p_owner: whose.
-GpuTimes read_gpu_times(const void *p_owner);
+// Reports the times of p_owner's passes in the newest frame that the GPU has finished. A pass that did not run keeps its last time.
+void report_gpu_times(const void *p_owner, GpuReport &r_report);
 
 } // namespace grass

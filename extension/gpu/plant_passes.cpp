@@ -120,7 +120,7 @@ std::vector<PlantTarget> PlantPasses::get_targets() const {
 	return targets;
 }
 
-void PlantPasses::tell(const std::vector<PlantTarget> &p_targets, const PackedByteArray &p_counts, BackendStatistics &r_statistics) {
+void PlantPasses::count(const std::vector<PlantTarget> &p_targets, const PackedByteArray &p_counts, BackendStatistics &r_statistics) {
 	r_statistics.drawn_plants = r_statistics.drawn_impostors = r_statistics.left_out_plants = 0;
 	for (const PlantTarget &target : p_targets) {
 		const int64_t chosen = p_counts.decode_u32(4 * target.number), room = target.room;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The passes of a frame that select the plants to draw by a mesh or by its impostor (shaders/species/plants.glsl), one for each. They live
-// on the render thread, in GpuField.
+// on the render thread, in GpuCull.
 #pragma once
 
 #include "core/field/backend_statistics.h"
@@ -57,7 +57,7 @@ public:
 	static constexpr int COUNT_BYTES = GRASS_MAX_SPECIES * GRASS_PLANT_STAGES * 4;
 	std::vector<PlantTarget> get_targets() const;
 	// Counts the plants with room, and those without.
-	static void tell(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
+	static void count(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
 	int64_t get_memory_usage() const { return _mix.size() + _counts.size(); }
 	// Also frees the MultiMeshes' command buffers, since the engine never does (seen in 4.6).
 	void free();

@@ -31,7 +31,7 @@ public:
 	// Returns the bytes of each slot of a field with a map, several species and motion vectors. p_is_mixed: see Kind.
 	static int64_t find_slot_bytes(bool p_is_mixed);
 
-	// By slot, see GpuField. What is in them is undefined.
+	// By slot, see GpuPool. What is in them is undefined.
 	GpuBuffer knots, halves, twists, energy, growth, blade_species;
 
 	static constexpr int64_t TWIST_BYTES = int64_t(GRASS_LENGTH_ROW + 1) * GRASS_BLADES_PER_TILE * int64_t(sizeof(float)); // of a slot

@@ -89,7 +89,7 @@ private:
 
 	const godot::Node3D &_node; // the field
 	godot::Ref<GrassFillRule> _rule;
-	godot::Ref<GrassFillRule> _no_rule; // fills by the base density, and is nobody's: what it gathers are nodes that need no rule
+	godot::Ref<GrassFillRule> _no_rule; // for fields without one: fills by the base density, and gathers only nodes that need no rule
 	bool _is_live = true;
 	LiveFill _state; // not set: nothing is filled yet
 	FillGatherer _gatherer;

@@ -50,12 +50,9 @@ void FieldTerrain::forget() {
 	_calls_before += _source ? _source->get_calls() : 0;
 	_source.reset();
 	_ids.reset();
-	_colors.reset();
-	_shown_colors.unref();
+	_colors.stop();
 	_queue.clear();
 	_piece.reset();
-	_row.clear();
-	_row_samples.clear();
 	_areas.clear();
 	_is_all_changed = false;
 	_is_grid_due = false;
@@ -102,8 +99,7 @@ bool FieldTerrain::find(const TerrainSource::Handlers &p_handlers) {
 	if (_source) {
 		_ids = _source->has_textures() ? std::make_shared<TerrainIds>() : nullptr;
 		if (_source->has_colors()) {
-			_colors.emplace();
-			_colors->set_area(_region);
+			_colors.start(_region);
 		}
 		listen(p_handlers);
 		_is_all_changed = true;
@@ -134,10 +130,7 @@ bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 	if (!(_queue.get_area() == area)) {
 		_queue.set_area(area);
 		_is_all_changed = true;
-		if (_colors) {
-			_colors->set_area(p_region);
-			_has_old_colors = true;
-		}
+		_colors.move(p_region);
 	}
 	return true;
 }
@@ -145,9 +138,8 @@ bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 void FieldTerrain::read_all(bool p_is_elsewhere) {
 	_queue.add_all();
 	_is_grid_due = true;
-	if (_colors && p_is_elsewhere) {
-		_colors->clear();
-		_has_old_colors = true;
+	if (p_is_elsewhere) {
+		_colors.clear();
 	}
 }
 
@@ -209,14 +201,13 @@ bool FieldTerrain::has_new_warning() {
 }
 
 void FieldTerrain::add_to(FieldStatistics &r_statistics) const {
-	r_statistics.terrain_queries = _queries;
+	r_statistics.terrain_queries = _share.get_queries();
 	r_statistics.terrain_calls = _calls_before + (_source ? _source->get_calls() : 0);
 	r_statistics.terrain_waiting = _queue.get_waiting() + (_piece ? 1 : 0);
 }
 
 int64_t FieldTerrain::get_memory_usage() const {
-	const int64_t ids = _ids ? int64_t(_ids->get_memory_usage()) : 0;
-	return ids + (_colors ? 2 * int64_t(_colors->get_memory_usage()) : 0); // colours: here and as a texture
+	return (_ids ? int64_t(_ids->get_memory_usage()) : 0) + _colors.get_memory_usage();
 }
 
 } // namespace grass

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "core/field/field_statistics.h"
-#include "draw/frame_share.h"
+#include "ground/shown_colors.h"
+#include "ground/terrain_share.h"
 #include "ground/terrain_source.h"
 #include "resources/grass_map.h"
 #include "shared/script_call.h"
 
-#include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/visual_instance3d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -52,7 +52,7 @@ public:
 	// Returns the textures; null where no terrain reports any.
 	std::shared_ptr<const TerrainIds> get_ids() const { return _ids; }
 	// Returns the terrain's colours over the field; null where it reports none.
-	const godot::Ref<godot::ImageTexture> &get_colors() const { return _shown_colors; }
+	const godot::Ref<godot::ImageTexture> &get_colors() const { return _colors.get_texture(); }
 	bool is_found() const { return _source != nullptr; }
 	void warn(godot::PackedStringArray &r_warnings) const;
 	// Returns whether warn() has changed since the last call.
@@ -78,8 +78,6 @@ private:
 	bool take_grid(const godot::Ref<GrassMap> &p_map);
 	bool begin_piece(const GroundGrid &p_grid, std::vector<Eigen::Vector2d> &r_eyes);
 	bool read_places();
-	bool may_go_on(bool p_is_first, int64_t p_begun, uint64_t p_since, FrameShare::Turn &r_turn) const;
-	void show_colors();
 	bool lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
 	godot::VisualInstance3D &_node; // the field
@@ -94,19 +92,14 @@ private:
 	MapRegion _region; // the area that the field covers
 	TerrainQueue _queue;
 	std::optional<TerrainPiece> _piece; // being read
-	std::vector<Eigen::Vector2d> _row; // the row of _piece that is being read
-	std::vector<TerrainSample> _row_samples; // of the first places of _row
 	std::shared_ptr<TerrainIds> _ids;
-	std::optional<TerrainColors> _colors;
-	godot::Ref<godot::ImageTexture> _shown_colors;
-	bool _has_old_colors = false; // it shows colours of another place
+	ShownColors _colors;
+	TerrainShare _share;
 	std::vector<godot::AABB> _areas; // changed since the last frame, global
 	bool _is_all_changed = false;
 	bool _is_grid_due = false; // all is going to be read, so the ground may get another grid
 	int _frames_to_look = 0;
-	uint64_t _frame = UINT64_MAX; // of the process, in which queries were last counted
-	int64_t _last_query = 0; // allowed in that frame
-	int64_t _queries = 0, _calls_before = 0; // places queried so far; calls of terrains before this one
+	int64_t _calls_before = 0; // of terrains before this one
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The HTerrain of another addon as a TerrainSource.
+// The HTerrain of another add-on as a TerrainSource.
 #pragma once
 
 #include "ground/terrain_source.h"

@@ -39,7 +39,7 @@ public:
 private:
 	void watch(const Parts &p_parts);
 
-	godot::Callable _changed; // null: nobody listens
+	godot::Callable _changed; // null: nothing is called
 	Parts _parts; // of _mesh
 	std::vector<godot::Ref<godot::Mesh>> _watched; // connected to _changed
 	std::shared_ptr<const FillMesh> _mesh;

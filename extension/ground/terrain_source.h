@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A terrain of another addon, or of a game, whose methods are called by their names: docs/guide/terrain.md. Each kind of terrain has a
+// A terrain of another add-on, or of a game, whose methods are called by their names: docs/guide/terrain.md. Each kind of terrain has a
 // class in terrain_sources.cpp or h_terrain_source.cpp. No code here depends on fields.
 #pragma once
 
@@ -101,7 +101,7 @@ protected:
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
 	// Returns no colour, and records a problem, if the value is not a colour.
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
-	// Where nobody painted a colour, the colour maps of addons are white: it multiplies the textures, and tells nothing of the ground.
+	// Where no colour was painted, the colour maps of add-ons are white, which multiplies the textures and says nothing about the ground.
 	static TerrainColor unless_white(const TerrainColor &p_color) {
 		return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
 	}

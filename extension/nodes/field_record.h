@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes what happens to a field into a file while a game runs, and plays such a file: docs/guide/recording.md. A record begins with a
-// field whose blades all rest, and each time that the field is made again, it describes it anew.
+// field whose blades all rest, and each time that the field is made again, it describes it again.
 #pragma once
 
 #include "core/field/field_record.h"

@@ -64,7 +64,6 @@ public:
 	// May be called before the field is made or in the tree. Returns nothing until its patches are ready.
 	std::optional<MapPlace> find_map_place() const { return grass::find_map_place(_parts.properties); }
 	bool is_made() const { return _parts.life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
-	double get_build_ms() const { return _parts.life.get_most_ms(); } // that its last making took in one frame, at most
 	int64_t get_pool_slots() const { return _parts.standing.get_field().get_tiles().get_room(); } // that exist now
 	// Makes the field as its own frames do, whether it processes or not. Scripts run: afterwards it may be gone.
 	void come() { (void)_frames.advance(); }

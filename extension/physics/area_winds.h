@@ -21,7 +21,7 @@ public:
 	void pass(double p_delta);
 	void clear() { _areas.clear(); }
 	bool is_empty() const { return _areas.empty(); }
-	// Returns false if one of them has wind. Appends the others, which may begin to blow without a word.
+	// Returns false if one of them has wind. Appends the others, which may begin to blow without notice.
 	bool find_resting(std::vector<RestingBody> &r_areas) const;
 	// Returns the winds that blow, in global space.
 	std::vector<Force> get_forces() const;

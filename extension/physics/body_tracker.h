@@ -58,7 +58,7 @@ public:
 	int64_t body_count() const;
 	std::vector<uint64_t> find_instances(size_t p_most) const; // ids of the first bodies
 	// Returns false unless every body rests, so that collect() has nothing to do until one of them moves, sleeps no more, enters or leaves.
-	// Appends those that may be moved without a word.
+	// Appends those that may be moved without notice.
 	bool find_resting(std::vector<RestingBody> &r_bodies) const;
 	uint32_t get_mask() const { return _mask; }
 	const godot::Vector3 &get_box_extents() const { return _box.get_half_extents(); } // of the watched box

@@ -25,7 +25,7 @@ public:
 	// Watches p_body for a field, by its instance id.
 	void add(const RestingBody &p_body, uint64_t p_field);
 	void remove(uint64_t p_field);
-	// Must be called once a tick. Returns the fields near bodies that have moved, or are gone, or blow.
+	// Must be called once a tick. Returns the fields near bodies that have moved or left, and near areas that blow.
 	std::vector<uint64_t> find_stirred(BodyReads &r_reads);
 
 private:

@@ -25,7 +25,7 @@ struct TrackedBody {
 
 	bool is_near() const { return overlaps > 0; }
 	bool is_plain_now() const { return state == State::PLAIN && is_near() && next_look > 0; }
-	// Returns whether it needs no tick until it reports a change, or is moved without a word.
+	// Returns whether it needs no tick until it reports a change, or is moved without notice.
 	bool rests() const;
 	// Returns whether following it would have no effect: the full pool had no slot for any tile that it met.
 	bool waits_for_slots(const TileManager &p_tiles) const;

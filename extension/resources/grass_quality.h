@@ -47,7 +47,7 @@ private:
 	bool _is_current = false; // it is get_current()
 };
 
-// Returns the factors that all fields have now. Fields compare them once in each frame, so nobody needs to notify them. Main thread.
+// Returns the factors that all fields have now. Fields compare them once in each frame, so they need no notification. Main thread.
 const Quality &current_quality();
 void register_quality(); // the project settings
 void free_quality();

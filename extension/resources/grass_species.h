@@ -94,7 +94,7 @@ private:
 	godot::Ref<godot::Mesh> _plant_mesh;
 	godot::Ref<godot::PackedScene> _plant_scene;
 	mutable std::optional<PlantReading> _plant; // of _plant_mesh, read on first use
-	mutable std::shared_ptr<const PlantImpostor> _impostor; // of _plant, likewise
+	mutable std::shared_ptr<const PlantImpostor> _impostor; // of _plant, made on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params = initial_of(SPECIES_PARAMS);
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

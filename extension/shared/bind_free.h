@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Binds functions outside of a class as its methods: those that need nothing of the class but what it shows everybody.
+// Binds functions outside of a class as its methods: those that need only public members of the class.
 #pragma once
 
 #include <godot_cpp/core/class_db.hpp>

@@ -2,15 +2,9 @@
 // The methods of a world that scripts call.
 #include "world/grass_world.h"
 
-#include "draw/frame_share.h"
-#include "field/work_limits.h"
-#include "resources/map_painting.h"
 #include "shared/main_thread.h"
 #include "shared/script_call.h"
-
-#include <godot_cpp/classes/engine.hpp>
-
-#include <algorithm>
+#include "world/world_place.h"
 
 using namespace godot;
 
@@ -34,12 +28,12 @@ Vector2i GrassWorld::get_plot_at(const Vector3 &p_global_position) const {
 		return Vector2i();
 	}
 	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite(), Vector2i(), vformat("%s: get_plot_at() needs a finite position.", label()));
-	const PlotKey key = grid().at(place_of(p_global_position));
+	const PlotKey key = _properties.grid().at(place_in(*this, p_global_position));
 	return Vector2i(key.x, key.z);
 }
 
 String GrassWorld::get_plot_path(const Vector2i &p_plot) const {
-	return WorldFiles::path_of(find_folders().place.to, { p_plot.x, p_plot.y });
+	return WorldFiles::path_of(_properties.place().to, { p_plot.x, p_plot.y });
 }
 
 GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
@@ -47,7 +41,8 @@ GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
 }
 
 GrassField *GrassWorld::get_field_at(const Vector3 &p_global_position) const {
-	return is_inside_tree() && p_global_position.is_finite() ? _plots.find(grid().at(place_of(p_global_position))) : nullptr;
+	return is_inside_tree() && p_global_position.is_finite() ? _plots.find(_properties.grid().at(place_in(*this, p_global_position)))
+															 : nullptr;
 }
 
 TypedArray<GrassField> GrassWorld::get_fields() const {
@@ -56,59 +51,6 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 		fields.push_back(_plots.find(key));
 	}
 	return fields;
-}
-
-Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
-	Dictionary sum = to_script(CutResult());
-	GRASS_MAIN_THREAD_ONLY_V(sum);
-	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), sum, vformat("%s: cut() needs a finite transform.", label()));
-	double area = 0.0;
-	for (const PlotKey &key : _plots.get_standing()) {
-		area += _plots.find(key) != nullptr ? _plots.find(key)->get_parts().work.find_area(p_shape, p_transform) : 0.0;
-	}
-	ERR_FAIL_COND_V_MSG(area > double(AREA_MAX), sum,
-			vformat("%s: cut() would act on %.0f square metres, and acts on %d at most (AREA_MAX). Call it with several smaller shapes, in "
-					"as many frames.",
-					label(), area, AREA_MAX));
-	const Array names = sum.keys();
-	for (const PlotKey &key : _plots.get_standing()) {
-		GrassField *field = _plots.find(key);
-		Dictionary cut;
-		if (field != nullptr && !outlives(*this, [&] { cut = to_script(field->get_parts().work.cut(p_shape, p_transform)); })) {
-			return sum; // a listener of the map freed the world
-		}
-		for (int64_t i = 0; i < names.size(); i++) {
-			const Variant before = sum[names[i]], more = cut.get(names[i], 0);
-			sum[names[i]] =
-					before.get_type() == Variant::INT ? Variant(int64_t(before) + int64_t(more)) : Variant(double(before) + double(more));
-		}
-	}
-	return sum;
-}
-
-double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
-	GRASS_MAIN_THREAD_ONLY_V(0.0);
-	if (!is_here("paint")) {
-		return 0.0;
-	}
-	const String problem = problem_of_stroke(p_brush, Vector2(p_from.x, p_from.z), Vector2(p_to.x, p_to.z));
-	ERR_FAIL_COND_V_MSG(!problem.is_empty() || !p_from.is_finite() || !p_to.is_finite(), 0.0,
-			vformat("%s: paint(): %s", label(), problem.is_empty() ? String("the ends of a stroke must be finite numbers.") : problem));
-	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
-	const double reach = p_brush->get_reach() + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
-	double sum = 0.0;
-	for (const PlotKey &key : _plots.get_standing()) {
-		GrassField *field = _plots.find(key);
-		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
-			double changed = 0.0;
-			const bool lives = outlives(*this, [&] { changed = field->get_parts().work.paint(p_brush, p_from, p_to); });
-			sum += changed;
-			if (!lives) { // a listener of the map freed the world
-				return sum;
-			}
-		}
-	}
-	return sum;
 }
 
 void GrassWorld::shift_origin(const Vector3 &p_offset) {
@@ -129,9 +71,8 @@ void GrassWorld::shift_origin(const Vector3 &p_offset) {
 
 int64_t GrassWorld::save() {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	ERR_FAIL_COND_V_MSG(find_folders().place.to.is_empty(), 0,
-			vformat("%s: save() needs a folder. Set `%s`.", label(),
-					String(Engine::get_singleton()->is_editor_hint() ? "folder" : "save_folder")));
+	ERR_FAIL_COND_V_MSG(_properties.place().to.is_empty(), 0,
+			vformat("%s: save() needs a folder. Set `%s`.", label(), String(WorldProperties::is_edited() ? "folder" : "save_folder")));
 	const int64_t kept = _plots.get_files().count_writable(), changed = _plots.save();
 	_plots.get_files().write_kept();
 	return kept + changed;
@@ -171,7 +112,7 @@ void GrassWorld::restore_plot(const Vector2i &p_plot, const Ref<GrassMapSnapshot
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(
 			p_snapshot.is_null() || p_from.is_null(), vformat("%s: restore_plot() needs snapshots from a map's take_snapshot().", label()));
-	ERR_FAIL_COND_MSG(!grid().has({ p_plot.x, p_plot.y }),
+	ERR_FAIL_COND_MSG(!_properties.grid().has({ p_plot.x, p_plot.y }),
 			vformat("%s: restore_plot(): (%d, %d) is not a plot of this world.", label(), p_plot.x, p_plot.y));
 	_plots.restore({ p_plot.x, p_plot.y }, p_from->map, p_snapshot->map);
 }
@@ -179,39 +120,6 @@ void GrassWorld::restore_plot(const Vector2i &p_plot, const Ref<GrassMapSnapshot
 void GrassWorld::wait_for_files() {
 	GRASS_MAIN_THREAD_ONLY();
 	_plots.get_files().wait();
-}
-
-Dictionary GrassWorld::get_statistics() const {
-	const WorldStatistics plots = _plots.get_statistics();
-	const WorldFileStatistics files = _plots.get_files().get_statistics();
-	Dictionary result;
-	result["plots"] = plots.plots;
-	result["waiting"] = plots.waiting;
-	result["changed"] = plots.changed;
-	result["spare"] = plots.spare;
-	result["memory"] = plots.memory;
-	result["reach"] = std::min(_plots.get_plan().reach, _camera_radius);
-	result["distance_tests"] = plots.tests;
-	result["brought"] = plots.brought;
-	result["left"] = plots.left;
-	result["fields_made"] = plots.fields_made;
-	result["most_moves"] = plots.most_moves;
-	const FrameShare::Most most = FrameShare::get_most();
-	result["most_parts"] = most.parts;
-	result["most_bytes"] = most.bytes;
-	result["most_build_ms"] = plots.most_build_ms;
-	result["bodies"] = _eyes.get_body_count();
-	result["files_waiting"] = files.waiting;
-	result["files_read"] = files.read;
-	result["files_written"] = files.written;
-	result["files_refused"] = files.refused;
-	result["files_kept"] = files.kept;
-	result["files_kept_elsewhere"] = files.kept_elsewhere;
-	result["bytes_read"] = files.bytes_read;
-	result["bytes_written"] = files.bytes_written;
-	result["frame_ms"] = _frame_ms;
-	result["most_frame_ms"] = _most_frame_ms;
-	return result;
 }
 
 } // namespace grass

@@ -16,7 +16,7 @@ namespace grass {
 void GrassWorld::set_size(const Vector2 &p_size) {
 	GRASS_MAIN_THREAD_ONLY();
 	const Vector2 size(real_t(checked(WorldGrid::SIZE, p_size.x, label())), real_t(checked(WorldGrid::SIZE, p_size.y, label())));
-	if (replace(_size, size)) {
+	if (replace(_properties.size, size)) {
 		restart();
 	}
 }
@@ -28,49 +28,57 @@ void GrassWorld::set_plot_size(double p_size) {
 	if (whole != size) {
 		WARN_PRINT(vformat("%s: `plot_size` must be whole chunks of 64 m; using %d instead of %s.", label(), int64_t(whole), size));
 	}
-	if (replace(_plot_size, whole) && outlives(*this, [&] { restart(); })) {
+	if (replace(_properties.plot_size, whole) && outlives(*this, [&] { restart(); })) {
 		ask_about_kept();
 	}
 }
 
 void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
 	GRASS_MAIN_THREAD_ONLY();
-	if (replace(_scene, p_scene)) {
+	if (replace(_properties.scene, p_scene)) {
 		restart();
 	}
 }
 
 void GrassWorld::set_camera_radius(double p_radius) {
 	GRASS_MAIN_THREAD_ONLY();
-	_camera_radius = checked(WORLD_CAMERA_RADIUS, p_radius, label());
+	_properties.camera_radius = checked(WORLD_CAMERA_RADIUS, p_radius, label());
 }
 
 void GrassWorld::set_body_radius(double p_radius) {
 	GRASS_MAIN_THREAD_ONLY();
-	_body_radius = checked(WORLD_BODY_RADIUS, p_radius, label());
+	_properties.body_radius = checked(WORLD_BODY_RADIUS, p_radius, label());
 }
 
 void GrassWorld::set_memory_budget(double p_megabytes) {
 	GRASS_MAIN_THREAD_ONLY();
-	_memory_budget = checked(WORLD_MEMORY_BUDGET, p_megabytes, label());
-	_plots.set_budget(to_bytes_of(_memory_budget));
+	_properties.memory_budget = checked(WORLD_MEMORY_BUDGET, p_megabytes, label());
+	_plots.set_budget(_properties.budget());
 }
 
 void GrassWorld::set_folder(const String &p_folder) {
 	GRASS_MAIN_THREAD_ONLY();
-	if (replace(_folder, p_folder) && outlives(*this, [&] { restart(); })) {
+	if (replace(_properties.folder, p_folder) && outlives(*this, [&] { restart(); })) {
 		ask_about_kept();
 	}
 }
 
 void GrassWorld::set_save_folder(const String &p_folder) {
 	GRASS_MAIN_THREAD_ONLY();
-	if (replace(_save_folder, p_folder)) {
+	if (replace(_properties.save_folder, p_folder)) {
 		restart();
 	}
 }
 
+// Runs after a folder or the plots' size has changed.
+void GrassWorld::ask_about_kept() {
+	if (places_changed != nullptr && WorldProperties::is_edited() && count_kept_elsewhere() > 0) {
+		places_changed(*this);
+	}
+}
+
 void GrassWorld::_bind_methods() {
+	constexpr PartBinder<GrassWorld, &GrassWorld::_work> work;
 	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
 	GRASS_BIND_PROPERTY(GrassWorld, property_of(WorldGrid::PLOT_SIZE), set_plot_size, get_plot_size);
 	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::OBJECT, "plot_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"), set_plot_scene,
@@ -85,8 +93,8 @@ void GrassWorld::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_field", "plot"), &GrassWorld::get_field);
 	ClassDB::bind_method(D_METHOD("get_field_at", "global_position"), &GrassWorld::get_field_at);
 	ClassDB::bind_method(D_METHOD("get_fields"), &GrassWorld::get_fields);
-	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassWorld::cut);
-	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassWorld::paint);
+	work.bind<"cut", &WorldWork::cut>({ "shape", "transform" });
+	work.bind<"paint", &WorldWork::paint>({ "brush", "from", "to" });
 	ClassDB::bind_method(D_METHOD("shift_origin", "offset"), &GrassWorld::shift_origin);
 	ClassDB::bind_method(D_METHOD("save"), &GrassWorld::save);
 	ClassDB::bind_method(D_METHOD("carry_unsaved"), &GrassWorld::carry_unsaved);

@@ -83,16 +83,6 @@ int64_t KeptPlots::count_elsewhere(const PlotsPlace &p_place) const {
 	return count() - (here != _maps.end() ? int64_t(here->second.size()) : 0);
 }
 
-int64_t KeptPlots::count_bytes() const {
-	int64_t bytes = 0;
-	for (const auto &[place, maps] : _maps) {
-		for (const auto &[key, data] : maps) {
-			bytes += data.size();
-		}
-	}
-	return bytes;
-}
-
 void FoldersOfSize::look(const PlotsPlace &p_place) {
 	_from = other_size(p_place.from, p_place.plot_size);
 	_to = other_size(p_place.to, p_place.plot_size);

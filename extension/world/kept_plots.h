@@ -39,7 +39,6 @@ public:
 	void keep_only(const PlotsPlace &p_place);
 	int64_t count() const;
 	int64_t count_elsewhere(const PlotsPlace &p_place) const;
-	int64_t count_bytes() const;
 
 private:
 	std::map<PlotsPlace, Maps> _maps;

@@ -199,7 +199,6 @@ WorldFileStatistics WorldFiles::get_statistics() const {
 	statistics.waiting = int64_t(_jobs.size());
 	statistics.kept = _kept.count();
 	statistics.kept_elsewhere = _kept.count_elsewhere(_folders.place);
-	statistics.bytes_kept = _kept.count_bytes();
 	return statistics;
 }
 

@@ -39,8 +39,7 @@ struct ReadPlot {
 struct WorldFileStatistics {
 	int64_t waiting = 0; // jobs
 	int64_t read = 0, written = 0, refused = 0; // files
-	int64_t bytes_read = 0, bytes_written = 0;
-	int64_t kept = 0, bytes_kept = 0; // maps that are not written yet
+	int64_t kept = 0; // maps that are not written yet
 	int64_t kept_elsewhere = 0; // kept maps that belong to other folders, or to plots of another size
 };
 

@@ -111,7 +111,6 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	std::lock_guard lock(_mutex);
 	_statistics.read += reason.empty() ? 1 : 0;
 	_statistics.refused += reason.empty() ? 0 : 1;
-	_statistics.bytes_read += bytes.size();
 	if (!reason.empty()) {
 		_refused.insert(name_of(p_path));
 	}
@@ -144,7 +143,6 @@ void WorldFiles::write_file(const PlotsPlace &p_place, const PlotKey &p_key, con
 	std::lock_guard lock(_mutex);
 	_kept.forget(p_place, p_key); // of a write that failed
 	_statistics.written++;
-	_statistics.bytes_written += p_data.size();
 }
 
 } // namespace grass

@@ -16,13 +16,9 @@ namespace {
 constexpr int MOST_READ = 2;
 } // namespace
 
-GrassField *WorldPlots::field_of(const Plot &p_plot) const {
-	return p_plot.field != 0 ? field_with(p_plot.field) : nullptr;
-}
-
 GrassField *WorldPlots::find(const PlotKey &p_key) const {
 	const auto found = _plots.find(p_key);
-	return found != _plots.end() && found->second.state == State::STANDING ? field_of(found->second) : nullptr;
+	return found != _plots.end() && found->second.state == State::STANDING ? found->second.get_field() : nullptr;
 }
 
 void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_folders) {
@@ -31,8 +27,7 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	_label = p_folders.label;
 	_told_of_empty = _told_of_taken = false;
 	_statistics = {};
-	_planner = {};
-	_pool_tile = 0;
+	_memory.start(p_settings.budget);
 	const auto start_fields = [&] { _fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label); };
 	if (!outlives(_fields.get_world(), start_fields) || _is_running) { // a script of the scene restarted the world
 		return;
@@ -49,7 +44,7 @@ void WorldPlots::stop(bool p_forgets) {
 		save();
 	}
 	for (auto &[key, plot] : _plots) {
-		GrassField *field = field_of(plot);
+		GrassField *field = plot.get_field();
 		if (field != nullptr && field->get_parent() != nullptr) { // otherwise it is the game's
 			field->queue_free();
 		}
@@ -67,9 +62,9 @@ void WorldPlots::update(std::span<const WorldEye> p_eyes) {
 	if (!make_fields() || !run([&] { show_coming(); })) {
 		return;
 	}
-	measure();
-	make_plan(p_eyes);
-	limit_pools();
+	_memory.measure();
+	_memory.make_plan(_settings.grid, p_eyes);
+	_memory.limit_pools();
 	if (!run([&] { leave_one(); }) || !run([&] { bring_one(); }) || !run([&] { _fields.find_place(); })) {
 		return;
 	}
@@ -96,7 +91,7 @@ void WorldPlots::ask() {
 	}
 	const auto count = std::ranges::count_if(
 			_plots, [](const auto &p_entry) { return p_entry.second.state == State::ASKED || p_entry.second.state == State::READ; });
-	for (const PlotKey &key : _plan.wanted) {
+	for (const PlotKey &key : _memory.get_plan().wanted) {
 		if (count >= MOST_READ) {
 			return;
 		}
@@ -111,7 +106,7 @@ void WorldPlots::ask() {
 uint32_t WorldPlots::find_layers() const {
 	uint32_t layers = _fields.get_pattern().layers;
 	for (const auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot); // null: it is still being read
+		const GrassField *field = plot.get_field(); // null: it is still being read
 		layers |= field != nullptr ? field->get_layer_mask() : 0u;
 	}
 	return layers;
@@ -120,7 +115,7 @@ uint32_t WorldPlots::find_layers() const {
 std::vector<PlotKey> WorldPlots::get_standing() const {
 	std::vector<PlotKey> keys;
 	for (const auto &[key, plot] : _plots) {
-		if (plot.state == State::STANDING && field_of(plot) != nullptr) {
+		if (plot.state == State::STANDING && plot.get_field() != nullptr) {
 			keys.push_back(key);
 		}
 	}
@@ -130,7 +125,7 @@ std::vector<PlotKey> WorldPlots::get_standing() const {
 int64_t WorldPlots::save() {
 	int64_t count = 0;
 	for (auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
+		const GrassField *field = plot.get_field();
 		if (field != nullptr && is_changed(plot, *field)) {
 			plot.known = field->get_map()->get_map();
 			_files.write(key, kept_of(plot.known, _fields.get_pattern().has_terrain));
@@ -146,7 +141,7 @@ void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const Pai
 	const auto change = [from = kept_of(p_from, has_terrain), to = kept_of(p_to, has_terrain)](
 								PaintMap &r_map) { (void)merge_maps(from, to, r_map); };
 	const auto found = _plots.find(p_key);
-	if (GrassField *field = found != _plots.end() ? field_of(found->second) : nullptr) {
+	if (GrassField *field = found != _plots.end() ? found->second.get_field() : nullptr) {
 		if (field->get_map().is_null()) { // a script removed it
 			return;
 		}
@@ -163,15 +158,15 @@ void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const Pai
 
 WorldStatistics WorldPlots::get_statistics() const {
 	WorldStatistics statistics = _statistics;
+	statistics.tests = _memory.get_plan().tests;
 	statistics.fields_made = _fields.get_made();
 	for (const auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
+		const GrassField *field = plot.get_field();
 		statistics.plots += plot.state == State::STANDING ? 1 : 0;
 		statistics.waiting += plot.state == State::STANDING || plot.state == State::EMPTY ? 0 : 1;
 		statistics.changed += field != nullptr && is_changed(plot, *field) ? 1 : 0;
 	}
-	statistics.spare = int64_t(_fields.count_spare());
-	statistics.memory = int64_t(count_used());
+	statistics.memory = int64_t(_memory.count_used());
 	return statistics;
 }
 

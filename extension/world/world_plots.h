@@ -3,13 +3,11 @@
 // changed when they leave.
 #pragma once
 
-#include "core/world/world_plan.h"
 #include "shared/script_call.h"
-#include "world/world_fields.h"
+#include "world/plot_memory.h"
 #include "world/world_files.h"
 
 #include <functional>
-#include <map>
 #include <vector>
 
 namespace grass {
@@ -21,10 +19,9 @@ struct WorldSettings {
 };
 
 struct WorldStatistics {
-	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; waiting ones are being read or made
+	int64_t plots = 0, waiting = 0, changed = 0; // now; waiting ones are being read or made
 	int64_t memory = 0; // bytes in use
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
-	double most_build_ms = 0.0; // longest time for one field in one frame
 	int64_t most_moves = 0; // most plots that were added or left in one frame
 	int64_t tests = 0; // distances and paths that the last frame compared with plots
 };
@@ -40,7 +37,7 @@ public:
 	// Writes changed plots, unless p_forgets; the fields are freed with the world's children.
 	void stop(bool p_forgets = false);
 	bool is_running() const { return _is_running; }
-	void set_budget(size_t p_bytes) { _settings.budget = p_bytes; }
+	void set_budget(size_t p_bytes) { _memory.set_budget(p_bytes); }
 	void update(std::span<const WorldEye> p_eyes); // runs a frame
 
 	GrassField *find(const PlotKey &p_key) const; // null: not in memory, or not made yet
@@ -48,7 +45,7 @@ public:
 	int64_t save(); // returns the number of plots to write
 	// Sets a plot to p_to wherever that differs from p_from, even if it is not in memory.
 	void restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to);
-	const WorldPlan &get_plan() const { return _plan; }
+	const WorldPlan &get_plan() const { return _memory.get_plan(); }
 	const WorldGrid &get_grid() const { return _settings.grid; }
 	const WorldFields &get_fields() const { return _fields; }
 	WorldFiles &get_files() { return _files; }
@@ -57,23 +54,8 @@ public:
 	WorldStatistics get_statistics() const;
 
 private:
-	enum class State {
-		ASKED,
-		READ,
-		COMING, // its field is being made
-		STANDING,
-		EMPTY, // a script took its field away before that
-	};
-	struct Plot {
-		State state = State::ASKED;
-		int64_t ask = 0; // the request to answer
-		uint64_t field = 0; // instance id, since a script may free it
-		PaintMap known; // as it is in its file
-		std::unique_ptr<ShownMap> prepared;
-		FieldMemory memory; // when it was measured last
-	};
+	using State = Plot::State;
 
-	GrassField *field_of(const Plot &p_plot) const;
 	void take_read();
 	// Runs a part of a frame in which scripts may run. Returns false if a script ended the world, freed it, or removed it from the tree;
 	// the frame ends then.
@@ -84,7 +66,6 @@ private:
 	void tell_once(bool &r_has_told, const PlotKey &p_key, const char *p_text) const;
 	bool make_fields();
 	void show_coming();
-	void make_plan(std::span<const WorldEye> p_eyes);
 	void bring_one();
 	void bring(PlotKey p_key);
 	void leave_one();
@@ -92,30 +73,17 @@ private:
 	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
 	bool is_coming() const;
 	void ask();
-	// world_plots_memory.cpp
-	void measure();
-	std::vector<LoadedPlot> find_loaded() const;
-	size_t pool_bytes(const GrassField &p_field, const FieldMemory &p_measured) const;
-	int64_t find_most_slots() const;
-	void limit_pools();
-	bool is_under_eyes(const PlotKey &p_key) const;
-	size_t count_bytes() const; // that the budget pays for: of fields and maps, including those that wait
-	size_t count_used() const; // of them, in use now
-	size_t count_shared() const;
 
 	WorldFields _fields;
 	Tell _tell;
 	WorldSettings _settings;
 	WorldFiles _files;
-	WorldPlanner _planner;
-	WorldPlan _plan;
-	std::map<PlotKey, Plot> _plots;
+	Plots _plots;
+	PlotMemory _memory{ _plots, _fields };
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
 	godot::String _label; // of the world, for messages
 	bool _told_of_empty = false, _told_of_taken = false; // since it entered the tree
-	int64_t _pool_tile = 0; // bytes for each slot of a pool; 0 until a field runs
-	PlotKey _measured{ 1 << 30, 0 }; // the plot measured last
 	WorldStatistics _statistics;
 };
 

@@ -27,10 +27,10 @@ void WorldPlots::tell_once(bool &r_has_told, const PlotKey &p_key, const char *p
 void WorldPlots::look_after_fields() {
 	std::erase_if(_plots, [this](const auto &p_entry) {
 		const auto &[key, plot] = p_entry;
-		return plot.state == State::STANDING && field_of(plot) == nullptr;
+		return plot.state == State::STANDING && plot.get_field() == nullptr;
 	});
 	for (auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
+		const GrassField *field = plot.get_field();
 		if (plot.state == State::COMING && (field == nullptr || !field->is_inside_tree())) {
 			make_empty(key);
 		}
@@ -50,7 +50,7 @@ void WorldPlots::make_empty(const PlotKey &p_key) {
 bool WorldPlots::make_fields() {
 	std::vector<uint64_t> waiting;
 	for (const auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
+		const GrassField *field = plot.get_field();
 		if (field != nullptr && field->is_inside_tree() && !field->is_made()) {
 			waiting.push_back(plot.field);
 		}
@@ -63,14 +63,13 @@ bool WorldPlots::make_fields() {
 
 void WorldPlots::show_coming() {
 	for (auto &[key, plot] : _plots) {
-		GrassField *field = field_of(plot);
+		GrassField *field = plot.get_field();
 		if (plot.state != State::COMING || field == nullptr || !field->is_made()) {
 			continue;
 		}
 		const PlotKey shown = key;
 		const uint64_t id = plot.field;
 		plot.state = State::STANDING;
-		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
 		if (run([&] { field->set_visible(true); }) && field_with(id) != nullptr) { // a script may be notified
 			_tell("plot_loaded", shown, field);
 		}
@@ -83,11 +82,11 @@ void WorldPlots::bring_one() {
 	if (is_coming()) {
 		return;
 	}
-	for (const PlotKey &key : _plan.wanted) {
+	for (const PlotKey &key : _memory.get_plan().wanted) {
 		const auto found = _plots.find(key);
 		if (found != _plots.end() && found->second.state == State::READ) {
 			_fields.forget_lost();
-			if (_fields.count_spare() > 0 || is_under_eyes(key) || count_bytes() + _planner.expected(key) <= _settings.budget) {
+			if (_memory.has_room_for(key)) {
 				bring(key);
 			}
 			return;
@@ -115,7 +114,7 @@ void WorldPlots::bring(PlotKey p_key) {
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
 	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots consist of whole chunks
-	field->get_parts().settings.fit_pool(find_most_slots());
+	field->get_parts().settings.fit_pool(_memory.find_most_slots());
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
 	snapshot->map = plot.known;
@@ -130,22 +129,22 @@ void WorldPlots::bring(PlotKey p_key) {
 
 // A plot that was read and is no longer wanted is only forgotten, like one whose field a listener has just freed.
 void WorldPlots::leave_one() {
-	const std::vector<PlotKey> leaving = _plan.leaving; // listeners may restart the world
-	const bool is_all_here = std::ranges::all_of(_plan.wanted, [this](const PlotKey &p_key) {
+	const std::vector<PlotKey> leaving = _memory.get_plan().leaving; // listeners may restart the world
+	const bool is_all_here = std::ranges::all_of(_memory.get_plan().wanted, [this](const PlotKey &p_key) {
 		const auto found = _plots.find(p_key);
 		return found != _plots.end() && (found->second.state == State::STANDING || found->second.state == State::EMPTY);
 	});
 	for (const PlotKey &key : leaving) {
 		const Plot &plot = _plots.at(key);
-		if (field_of(plot) == nullptr) {
+		if (plot.get_field() == nullptr) {
 			_plots.erase(key);
 		} else if (plot.state == State::STANDING &&
-				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() > _settings.budget)) {
+				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || _memory.is_exceeded())) {
 			leave(key, plot.field);
 			return;
 		}
 	}
-	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() > _settings.budget) {
+	if (_memory.get_plan().leaving.empty() && _fields.count_spare() > 0 && _memory.is_exceeded()) {
 		_fields.free_spare();
 	}
 }
@@ -171,8 +170,8 @@ void WorldPlots::leave(PlotKey p_key, uint64_t p_field) {
 	_plots.erase(found);
 	_statistics.left++;
 	field->get_parts().settings.fit_pool(0); // it waits without slots
-	field->get_parts().settings.fit_pool(find_most_slots());
-	_fields.give_back(field, count_bytes() <= _settings.budget);
+	field->get_parts().settings.fit_pool(_memory.find_most_slots());
+	_fields.give_back(field, !_memory.is_exceeded());
 }
 
 bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const {

@@ -40,8 +40,8 @@ func move_body() -> void:
 	body.position.x += SPEED / TICKS_A_SECOND
 
 
-## Pictures of consecutive frames of some ticks: [picture, tick, fraction of the way to it].
-func watch(count: int) -> Array:
+## What `look_at` returns of consecutive frames of some ticks, by default their picture: [that, tick, fraction of the way to it].
+func watch(count: int, look_at := func() -> Variant: return viewport.get_texture().get_image()) -> Array:
 	var seen := []
 	var tick := Engine.get_physics_frames()
 	var end := tick + count
@@ -51,7 +51,7 @@ func watch(count: int) -> Array:
 			tick = Engine.get_physics_frames()
 			move_body()
 		await RenderingServer.frame_post_draw
-		seen.append([viewport.get_texture().get_image(), Engine.get_physics_frames(), Engine.get_physics_interpolation_fraction()])
+		seen.append([look_at.call(), Engine.get_physics_frames(), Engine.get_physics_interpolation_fraction()])
 	return seen
 
 

@@ -23,10 +23,10 @@ TerrainPiece read(const MapRegion &p_region, const SampleAt &p_sample) {
 	TerrainPiece piece(p_region);
 	while (!piece.is_complete()) {
 		std::vector<TerrainSample> samples;
-		for (const Eigen::Vector2d &place : piece.get_row()) {
+		for (const Eigen::Vector2d &place : piece.get_next()) {
 			samples.push_back(p_sample(place));
 		}
-		piece.put_row(samples);
+		piece.put_next(samples);
 	}
 	return piece;
 }
@@ -43,9 +43,9 @@ int32_t hole_at(const PaintMap &p_map, int p_i, int p_j) {
 
 } // namespace
 
-TEST_CASE("terrain_piece: asks a region's texels and those around, row by row, and lays heights and slopes") {
+TEST_CASE("terrain_piece: returns a region's texels and those around, row by row, and lays heights and slopes") {
 	TerrainPiece piece({ { 0.0, 0.0 }, { 8.0, 4.0 } });
-	const std::vector<Eigen::Vector2d> row = piece.get_row();
+	const std::vector<Eigen::Vector2d> row = piece.get_next();
 	CHECK(row.size() == 10);
 	CHECK(row.front() == Eigen::Vector2d(-0.5, -0.5));
 	CHECK(row.back() == Eigen::Vector2d(8.5, -0.5));
@@ -60,6 +60,24 @@ TEST_CASE("terrain_piece: asks a region's texels and those around, row by row, a
 	CHECK(map.sample(MAP_GROUND, 0, { 2.5, 1.5 }) == doctest::Approx(1.25));
 	CHECK(map.sample(MAP_NORMAL, 0, { 0.5, 0.5 }) == doctest::Approx(-0.5 / std::sqrt(1.25)).epsilon(0.01));
 	CHECK(map.get_code(MAP_GROUND, 0, 8, 0) == 0); // around the region nothing is laid
+}
+
+TEST_CASE("terrain_piece: a row may be read in parts, and no part reaches into the next row") {
+	TerrainPiece piece({ { 0.0, 0.0 }, { 8.0, 4.0 } });
+	const auto read_next = [&piece] {
+		const std::vector<Eigen::Vector2d> places = piece.get_next(4);
+		piece.put_next(std::vector<TerrainSample>(places.size()));
+		return places;
+	};
+	CHECK(read_next().size() == 4);
+	CHECK(read_next().front() == Eigen::Vector2d(3.5, -0.5));
+	CHECK(read_next().size() == 2);
+	CHECK(read_next().front() == Eigen::Vector2d(-0.5, 0.5));
+	int parts = 4;
+	for (; !piece.is_complete(); parts++) {
+		read_next();
+	}
+	CHECK(parts == 18);
 }
 
 TEST_CASE("terrain_piece: a region without a texel's centre is complete at once") {

@@ -31,11 +31,11 @@ TEST_CASE("terrain colors: a texel for each square metre of the field, and what 
 	CHECK(texel(colors, 3, 3) == TerrainColor()); // nothing told
 	TerrainPiece piece({ { 0.0, -2.0 }, { 4.0, 2.0 } });
 	while (!piece.is_complete()) {
-		std::vector<TerrainSample> row(piece.get_row().size());
+		std::vector<TerrainSample> row(piece.get_next().size());
 		for (size_t i = 0; i < row.size(); i++) {
 			row[i].color = RED;
 		}
-		piece.put_row(row);
+		piece.put_next(row);
 	}
 	piece.put_colors(colors);
 	CHECK(colors.take_changed());

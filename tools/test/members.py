@@ -18,36 +18,37 @@ INITIAL = re.compile(r"(?: = |\{)[^,;()\n]*(?=[,;])")  # the value that a member
 LAST_WORD = re.compile(r"(\w+)\W*$")
 
 OWN_FIELD = "the field, of which it is a part and with which it ends"
+OWN_WORLD = "the world, of which it is a part and with which it ends"
 OWN_CHILD = "a child in the editor's own window, which it makes and frees"
 ONE_CALL = "a value that lives within one call, in which no script runs"
 SINGLETON = "the only instance, which frees itself when the extension is unloaded"
 ALLOWED = {
 	"editor/answer_view.h": (OWN_CHILD, "_label", "_panel"),
+	"editor/brush_numbers.h": (OWN_CHILD, "slider"),
 	"editor/brush_toolbar.h": (
 		OWN_CHILD,
-		"slider",
-		"_tools",
 		"_species",
 		"_color",
 		"_channel",
 		"_limits",
-		"_limits_panel",
 		"_menu",
 		"_bake",
 		"_stamp",
-		"_why",
 		"_shape",
 		"_offer",
 		"_row_end",
 		"_no_target",
 	),
-	"editor/grass_editor_plugin.h": (OWN_CHILD, "_toolbar", "_drops"),
+	"editor/brush_tools.h": (OWN_CHILD, "_tools", "_why"),
+	"editor/grass_editor_plugin.h": (OWN_CHILD, "_toolbar"),
 	"editor/kept_plots_dialog.h": (SINGLETON, "_singleton"),
+	"editor/limits_button.h": (OWN_CHILD, "_panel"),
 	"editor/map_pictures.h": (ONE_CALL, "_world", "_fields"),
 	"editor/map_step.h": (ONE_CALL, "new_of", "world"),
 	"editor/own_map_dialog.h": (f"{SINGLETON}; {OWN_CHILD}", "_singleton", "_opener"),
 	"editor/painted_fields.h": (ONE_CALL, "chosen", "fields", "world"),
 	"editor/picture_dialog.h": (OWN_CHILD, "_dialog"),
+	"editor/species_drops.h": (OWN_CHILD, "_drops"),
 	"gpu/render_queue.h": (SINGLETON, "_singleton"),
 	"ground/bare_answer.h": (ONE_CALL, "node"),
 	"ground/field_filler.h": (OWN_FIELD, "_node"),
@@ -58,7 +59,9 @@ ALLOWED = {
 	"physics/ground_rays.h": (ONE_CALL, "_standing", "_space"),
 	"physics/server_body.h": ("checked by its id in each tick, before the first use", "_state", "_node"),
 	"shared/scene_watch.h": (SINGLETON, "_singleton"),
-	"world/world_fields.h": ("the world, of which it is a part and with which it ends", "_world"),
+	"world/world_fields.h": (OWN_WORLD, "_world"),
+	"world/world_report.h": (OWN_WORLD, "_world"),
+	"world/world_work.h": (OWN_WORLD, "_world"),
 }
 
 

@@ -34,7 +34,7 @@ public:
 	// where unknown. Returns where the path of this tick begins; p_place if there is no path.
 	Eigen::Vector3d start(
 			const Eigen::Vector3d &p_place, const Eigen::Vector3d &p_seen, const Eigen::Vector3d &p_own, const MotionTick &p_tick);
-	// Returns whether a step, metres, is motion whatever the body's own velocity is, so that the caller need not look it up.
+	// Returns whether a step, metres, is motion whatever the velocity of the body is, so that the caller need not read it.
 	bool expects(const Eigen::Vector3d &p_step, const MotionTick &p_tick) const;
 	// Follows the body from p_before to p_now. Returns where the path of this tick begins: at p_before as a rule, at p_now after a
 	// teleport, and at an earlier place when a jump turns out to have been motion.

@@ -59,11 +59,11 @@ public:
 	// observe such a world in ways that are not known here. r_simulator poses the blades that join the simulated ones, since an eye is
 	// nearer.
 	void see(Simulator &r_simulator, const FieldView &p_view, bool p_is_visible);
-	// Simulates all blades of these tiles for a while, since somebody reads them.
+	// Simulates all blades of these tiles for a while, since a script reads them.
 	void ask(Simulator &r_simulator, std::span<const int> p_tiles);
 	bool is_seen() const { return _is_seen; } // or one of its shadows
 
-	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
+	// Begins a tick of p_delta seconds. Returns false if its effect cannot be noticed, and skips the rest of it.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
 	// Returns true while slots exist: ticks must go on, so that they are freed.
 	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0 || _tiles.get_room_plan().get_wanted() > 0; }

@@ -29,7 +29,7 @@ public:
 	void begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_slots);
 	void end_step(std::span<const GrassSlot> p_slots);
 
-	// Must be called when blades of these slots were posed anew between two steps: both steps show them so.
+	// Must be called when blades of these slots were posed again between two steps: both steps show them so.
 	void change(const CpuPool &p_pool, std::span<const GrassSlot> p_slots);
 
 	// Makes the texels of a texture of p_rows, with p_share of the last step, 0..1. Returns whether they have changed.

@@ -12,8 +12,8 @@ class LiveFill {
 public:
 	// Sets the rule, sources and area to fill by. Queues only the chunks that this changes, so it may be called as often as needed.
 	void set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area);
-	// Queues chunks that somebody else changed. p_replaced: anything in them may differ (a snapshot, a file). Otherwise only new ground
-	// counts, since filling respects paint by hand already.
+	// Queues chunks that were changed by other means than filling. p_replaced: anything in them may differ (a snapshot, a file). Otherwise
+	// only new ground counts, since filling respects paint by hand already.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
 	void touch_all();
 	// Queues the chunks of a region where the terrain shows other textures.

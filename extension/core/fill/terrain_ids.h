@@ -20,7 +20,7 @@ class TerrainIds {
 public:
 	static constexpr int SIDE = info_of(MAP_GROUND).side; // texels along a chunk, as for its ground
 
-	// Says where its texels were read: as the ground's heights.
+	// Sets where its texels were read: where the heights of a map with this grid lie.
 	void set_grid(const GroundGrid &p_grid) { _offset = p_grid.offset(); }
 	// Sets texel i, j in the map's numbering of ground texels. Returns true if it changed.
 	bool set(int p_i, int p_j, const TerrainTexel &p_texel);

@@ -26,16 +26,16 @@ TerrainPiece::TerrainPiece(const MapRegion &p_region, const GroundGrid &p_grid) 
 	_size = is_empty ? Eigen::Array2i(0, 0) : Eigen::Array2i(last - first + 3);
 }
 
-std::vector<Eigen::Vector2d> TerrainPiece::get_row() const {
-	std::vector<Eigen::Vector2d> row;
-	const int j = _first.y() + int(_samples.size()) / std::max(_size.x(), 1);
-	for (int i = _first.x(); i < _first.x() + _size.x(); i++) {
-		row.push_back(Eigen::Vector2d((i + 0.5) * TEXEL, (j + 0.5) * TEXEL) + _grid.offset());
+std::vector<Eigen::Vector2d> TerrainPiece::get_next(size_t p_most) const {
+	std::vector<Eigen::Vector2d> next;
+	const int width = std::max(_size.x(), 1), read = int(_samples.size()), j = _first.y() + read / width;
+	for (int i = read % width; i < _size.x() && next.size() < p_most; i++) {
+		next.push_back(Eigen::Vector2d((_first.x() + i + 0.5) * TEXEL, (j + 0.5) * TEXEL) + _grid.offset());
 	}
-	return row;
+	return next;
 }
 
-void TerrainPiece::put_row(std::span<const TerrainSample> p_samples) {
+void TerrainPiece::put_next(std::span<const TerrainSample> p_samples) {
 	_samples.insert(_samples.end(), p_samples.begin(), p_samples.end());
 }
 

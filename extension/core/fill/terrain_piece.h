@@ -26,9 +26,9 @@ public:
 	explicit TerrainPiece(const MapRegion &p_region, const GroundGrid &p_grid = GroundGrid());
 
 	bool is_complete() const { return _samples.size() >= size_t(_size.x()) * size_t(_size.y()); }
-	// Returns where the heights of the next row's texels are: x, z in metres.
-	std::vector<Eigen::Vector2d> get_row() const;
-	void put_row(std::span<const TerrainSample> p_samples); // as many as get_row() has
+	// Returns where the heights of the next texels are: x, z in metres. They are at most p_most, and of one row.
+	std::vector<Eigen::Vector2d> get_next(size_t p_most = SIZE_MAX) const;
+	void put_next(std::span<const TerrainSample> p_samples); // in the order of get_next()
 
 	// These write the result once all rows are read.
 	LaidGround lay(PaintMap &r_map, double p_ledge_slope = LEDGE_SLOPE.initial) const; // degrees

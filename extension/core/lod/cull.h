@@ -39,7 +39,7 @@ class TileCull {
 public:
 	using SlotOf = std::function<int(int)>; // returns a tile's slot in the pool; GRASS_NO_SLOT while it sleeps
 
-	// Chooses the tiles anew. p_cover: null on level ground that is fully covered by grass. p_levels: of find_levels().
+	// Chooses the tiles again. p_cover: null on level ground that is fully covered by grass. p_levels: of find_levels().
 	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of,
 			LevelSet p_levels = ALL_LEVELS);
 

@@ -18,7 +18,7 @@ class SimulationBudget {
 public:
 	// The coarsest. More would change little: four of a far tile's blades are simulated anyway.
 	static constexpr float MOST = 8.0f;
-	// By which share the coarseness changes in a step, at most. Larger: the blades of many tiles change hands at once.
+	// By which share the coarseness changes in a step, at most. Larger: many tiles change which of their blades are simulated at once.
 	static constexpr float FASTEST = 0.02f;
 	// Steps between AIM and the budget, and as far below AIM, change nothing.
 	static constexpr double AIM = 0.9, BAND = 0.1;

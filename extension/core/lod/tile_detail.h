@@ -22,7 +22,7 @@ public:
 	static constexpr float SLACK = 0.25f;
 	// For how many frames a tile stays whole after ask().
 	static constexpr int FRAMES_ASKED = 60;
-	// Up to here from an eye every drawn blade is simulated, whatever the coarseness, metres: bodies that somebody looks at.
+	// Up to here from an eye every drawn blade is simulated, whatever the coarseness, metres: there a player watches single bodies.
 	static constexpr double FINE_DISTANCE = 4.0;
 
 	// Simulates all blades of every tile. Returns whether blades_of() may return other numbers than before.
@@ -36,7 +36,7 @@ public:
 	float get_coarseness() const { return _sees_all ? 1.0f : _coarseness; }
 	// Must be called when the grass of the field has changed: the next see() returns true.
 	void forget() { _is_known = false; }
-	// Keeps a tile whole for a while, since somebody reads its blades. Returns false if it was kept whole already.
+	// Keeps a tile whole for a while, since a script reads its blades. Returns false if it was kept whole already.
 	bool ask(int p_tile);
 
 	// Returns the number of blades that are drawn: a multiple of GRASS_DETAIL_BLADES. p_now: the number so far, which stays if it is not

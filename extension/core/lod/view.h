@@ -32,7 +32,7 @@ ViewCamera view_of_eye(const Eigen::Matrix4d &p_projection, const Eigen::Affine3
 // From where the field is seen in a frame, and how finely it is drawn. Field space, metres.
 struct FieldView {
 	std::vector<ViewCamera> cameras; // all that render in this frame and see the field's layers; a headset has two
-	bool is_watched = false; // a picture of the field's world is rendered, with whatever layers; otherwise it is unknown who looks at it
+	bool is_watched = false; // a picture of the field's world is rendered, whatever its layers; otherwise it is unknown what sees the field
 	bool is_drawn = true; // the engine renders frames; a headless one does not, whatever cameras it has
 	LodParams lod;
 	float plant_reach = 1.0f; // share of its distance up to which a plant is drawn with its mesh

@@ -25,9 +25,9 @@ struct GroundRule {
 
 class GroundReading {
 public:
-	// Texels around those whose ground changed, within which what is laid changes with it.
+	// How far around a change of the ground what is laid changes with it, texels.
 	static constexpr int REACH = LedgeFinder::FOLLOWS + 2;
-	// Places that one call has to grant, so that reading gets on.
+	// The fewest places that a call must allow, so that reading makes progress.
 	static constexpr int LEAST_PLACES = LedgeFinder::CELL_PLACES;
 
 	// Every texel whose height lies in p_region and within the map's reach.

@@ -28,7 +28,7 @@ struct HandPaint {
 	// Returns what grows where a rule fills p_rule.
 	int32_t over(int32_t p_rule) const { return (p_rule * (FULL - cover) + density * cover + FULL / 2) / FULL; }
 
-	// Returns the paint after a brush moved p_weight of the way to density p_aim: over() has then moved equally far, whatever the rule.
+	// Returns the paint after a brush moved p_weight of the way to density p_aim. over() then moves equally far, whatever the rule fills.
 	HandPaint brushed(int32_t p_aim, double p_weight) const {
 		HandPaint after;
 		after.cover = toward(cover, FULL, p_weight);

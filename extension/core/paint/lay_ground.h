@@ -18,7 +18,7 @@ struct LaidGround : BrushResult { // amount: 0
 	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 
-// Returns whether the map has no ground outside of p_region: then ground that is laid there may have a grid of its own.
+// Returns whether the map has no ground outside of p_region: then ground that is laid there may have its own grid.
 bool is_all_ground_in(const PaintMap &p_map, const MapRegion &p_region);
 
 // Writes ground that has been read, for a map with the grid that it was read for. Normals follow from the heights where p_normal gives

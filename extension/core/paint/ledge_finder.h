@@ -15,7 +15,7 @@ public:
 	// Cells in which a ledge is followed from where a probe met it. More: ever thinner walls are found whole. Less: fewer places are read
 	// around a block.
 	static constexpr int FOLLOWS = 4;
-	// Texels around a block of texels whose ledges are wanted, to which heights must be known.
+	// How far around a block of texels heights must be known to find its ledges, texels.
 	static constexpr int margin(bool p_is_sheet) { return 1 + (p_is_sheet ? 0 : FOLLOWS); }
 	static constexpr int PROBES = 2; // along a side of a cell
 	static constexpr int HALVINGS = 4; // of the distance between two points of a cell, to see whether the ground jumps between them

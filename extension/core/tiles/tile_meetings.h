@@ -34,7 +34,7 @@ public:
 		const TileView &view; // in this step
 		const SlotMap &slots; // of awake tiles
 		const SlotSet &held; // awake tiles in view, as far as that is known
-		const std::vector<int> &yielded; // tiles that lost their slots at the begin of the step, and get none in it
+		const std::vector<int> &yielded; // tiles that lost their slots at the beginning of the step, and get none in it
 		SlotSet &met, &stirred; // by a collider; by one that moves
 		TileStatistics &statistics;
 	};

@@ -7,7 +7,7 @@
 
 namespace grass {
 
-// Returns p_map, without its ground if a terrain supplies that anew whenever the plot loads.
+// Returns p_map, without its ground if a terrain supplies that whenever the plot loads.
 inline PaintMap kept_of(PaintMap p_map, bool p_has_terrain) {
 	if (p_has_terrain) {
 		for (const MapKey &key : p_map.get_keys()) {

@@ -53,20 +53,11 @@ func test_motion_vectors_follow_the_mix() -> void:
 	camera.compositor = Compositor.new()
 	camera.compositor.compositor_effects = [vectors]
 	await drawn()
-	var seen := []  # tick, share, mean length of the vectors in pixels
-	var tick := Engine.get_physics_frames()
-	var end := tick + 9
-	while tick < end:
-		await get_tree().process_frame
-		if Engine.get_physics_frames() != tick:
-			tick = Engine.get_physics_frames()
-			move_body()
-		await RenderingServer.frame_post_draw
-		seen.append([Engine.get_physics_frames(), Engine.get_physics_interpolation_fraction(), mean_length(vectors.data)])
+	var seen := await watch(9, func() -> float: return mean_length(vectors.data))  # in pixels
 	var speeds := []  # of frames within a tick: mean length a share
 	for i in range(2, seen.size()):
-		if seen[i][0] == seen[i - 1][0] and seen[i][0] == seen[i - 2][0] and seen[i][1] - seen[i - 1][1] > 0.005:
-			speeds.append([seen[i][0], seen[i][2] / (seen[i][1] - seen[i - 1][1])])
+		if seen[i][1] == seen[i - 1][1] and seen[i][1] == seen[i - 2][1] and seen[i][2] - seen[i - 1][2] > 0.005:
+			speeds.append([seen[i][1], seen[i][0] / (seen[i][2] - seen[i - 1][2])])
 	var pairs := 0
 	var alike := 0
 	for i in range(1, speeds.size()):

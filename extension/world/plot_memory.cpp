@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory that the plots of a world use, what the budget holds, and how large their pools may become.
-#include "world/world_plots.h"
+#include "world/plot_memory.h"
 
 #include "resources/grass_quality.h"
 
@@ -25,8 +24,13 @@ size_t rest_of(const FieldMemory &p_memory) {
 
 } // namespace
 
-// Measures one plot in each frame, in turn, and those that have just appeared.
-void WorldPlots::measure() {
+void PlotMemory::start(size_t p_budget) {
+	_budget = p_budget;
+	_planner = {};
+	_pool_tile = 0;
+}
+
+void PlotMemory::measure() {
 	auto next = _plots.upper_bound(_measured);
 	if (next == _plots.end()) {
 		next = _plots.begin();
@@ -35,7 +39,7 @@ void WorldPlots::measure() {
 		return;
 	}
 	for (auto &[key, plot] : _plots) {
-		const GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
+		const GrassField *field = plot.state == Plot::State::STANDING ? plot.get_field() : nullptr;
 		if (field != nullptr && (plot.memory.all == 0 || key == next->first)) {
 			plot.memory = field->get_report().find_memory();
 			_pool_tile = plot.memory.pool_tile;
@@ -45,61 +49,59 @@ void WorldPlots::measure() {
 }
 
 // Slots may exist that were made since the field was measured.
-size_t WorldPlots::pool_bytes(const GrassField &p_field, const FieldMemory &p_measured) const {
+size_t PlotMemory::count_pool(const GrassField &p_field, const FieldMemory &p_measured) const {
 	return size_t(std::max(p_measured.pool, p_field.get_pool_slots() * _pool_tile));
 }
 
-std::vector<LoadedPlot> WorldPlots::find_loaded() const {
+std::vector<LoadedPlot> PlotMemory::find_loaded() const {
 	std::vector<LoadedPlot> loaded;
 	for (const auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
-		loaded.push_back({ key, rest_of(plot.memory), field != nullptr ? pool_bytes(*field, plot.memory) : 0 });
+		const GrassField *field = plot.get_field();
+		loaded.push_back({ key, rest_of(plot.memory), field != nullptr ? count_pool(*field, plot.memory) : 0 });
 	}
 	return loaded;
 }
 
-void WorldPlots::make_plan(std::span<const WorldEye> p_eyes) {
+void PlotMemory::make_plan(const WorldGrid &p_grid, std::span<const WorldEye> p_eyes) {
 	const std::vector<LoadedPlot> loaded = find_loaded();
 	_planner.learn(loaded);
 	const size_t shared = count_shared();
 	// The size of a plot is held back for the field that appears while another one leaves.
 	const size_t held_back = _planner.get_typical() + size_t(SPARE_SLOTS * _pool_tile);
-	_plan = _planner.plan(_settings.grid, { p_eyes, loaded, _settings.budget - std::min(_settings.budget, shared), held_back });
-	_statistics.tests = _plan.tests;
+	_plan = _planner.plan(p_grid, { p_eyes, loaded, _budget - std::min(_budget, shared), held_back });
 }
 
-bool WorldPlots::is_under_eyes(const PlotKey &p_key) const {
+bool PlotMemory::has_room_for(const PlotKey &p_key) const {
 	const auto end = _plan.wanted.begin() + std::ptrdiff_t(_plan.under_eyes);
-	return std::find(_plan.wanted.begin(), end, p_key) != end;
+	const bool is_under_eyes = std::find(_plan.wanted.begin(), end, p_key) != end;
+	return _fields.count_spare() > 0 || is_under_eyes || count_bytes() + _planner.expected(p_key) <= _budget;
 }
 
-// Returns the most slots that any plot may have.
-int64_t WorldPlots::find_most_slots() const {
+int64_t PlotMemory::find_most_slots() const {
 	return current_quality().scale_pool(_fields.get_pattern().pool_tiles);
 }
 
-// Lets each pool grow by half of what the budget holds beside the plots under the eyes and all pools, so that two may grow at once. Other
-// plots leave in their favour.
-void WorldPlots::limit_pools() {
+// Each pool may grow by half of what the budget holds beside the plots under the eyes and all pools, so that two may grow at once.
+void PlotMemory::limit_pools() {
 	size_t needed = count_shared();
 	for (const PlotKey &key : std::span(_plan.wanted).first(_plan.under_eyes)) {
 		needed += _planner.expected(key);
 	}
 	for (const auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
-		needed += field != nullptr ? pool_bytes(*field, plot.memory) : 0;
+		const GrassField *field = plot.get_field();
+		needed += field != nullptr ? count_pool(*field, plot.memory) : 0;
 	}
-	const size_t left = _settings.budget - std::min(_settings.budget, needed);
+	const size_t left = _budget - std::min(_budget, needed);
 	const int64_t more = _pool_tile > 0 ? int64_t(left / 2) / _pool_tile : 0, most = find_most_slots();
 	for (const auto &[key, plot] : _plots) {
-		GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
+		GrassField *field = plot.state == Plot::State::STANDING ? plot.get_field() : nullptr;
 		if (field != nullptr && field->is_inside_tree()) {
 			field->get_parts().settings.fit_pool(std::min(std::max(field->get_pool_slots() + more, LEAST_POOL), most));
 		}
 	}
 }
 
-size_t WorldPlots::count_shared() const {
+size_t PlotMemory::count_shared() const {
 	std::map<const void *, size_t> patches;
 	for (const auto &[key, plot] : _plots) {
 		if (plot.memory.patch != nullptr) {
@@ -113,11 +115,11 @@ size_t WorldPlots::count_shared() const {
 	return bytes;
 }
 
-size_t WorldPlots::count_bytes() const {
+size_t PlotMemory::count_bytes() const {
 	size_t bytes = count_shared() + _fields.count_spare() * _planner.get_typical();
 	for (const auto &[key, plot] : _plots) {
-		if (const GrassField *field = field_of(plot)) {
-			bytes += (plot.memory.all > 0 ? rest_of(plot.memory) : _planner.expected(key)) + pool_bytes(*field, plot.memory);
+		if (const GrassField *field = plot.get_field()) {
+			bytes += (plot.memory.all > 0 ? rest_of(plot.memory) : _planner.expected(key)) + count_pool(*field, plot.memory);
 		} else if (plot.prepared) {
 			bytes += plot.prepared->get_layers().get_memory_usage();
 		}
@@ -125,7 +127,7 @@ size_t WorldPlots::count_bytes() const {
 	return bytes;
 }
 
-size_t WorldPlots::count_used() const {
+size_t PlotMemory::count_used() const {
 	size_t bytes = 0;
 	std::map<const void *, size_t> patches;
 	const auto add = [&](const GrassField *p_field) {
@@ -136,7 +138,7 @@ size_t WorldPlots::count_used() const {
 		}
 	};
 	for (const auto &[key, plot] : _plots) {
-		add(field_of(plot));
+		add(plot.get_field());
 		bytes += plot.prepared ? plot.prepared->get_layers().get_memory_usage() : 0;
 	}
 	for (const uint64_t id : _fields.get_spare()) {
