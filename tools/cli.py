@@ -80,7 +80,7 @@ def pictures(options):
 
 def bench(options):
 	"""Returns the exit code."""
-	from lab.tools import bench_all, driver_figures, drivers_page, pack
+	from lab.tools import bench_all, driver_figures, drivers_page, pack, rods
 	from tools.test import testing
 
 	if options.what == "stress":
@@ -88,6 +88,8 @@ def bench(options):
 	if options.what == "drivers":
 		if driver_figures.run(options.out, options.only):
 			drivers_page.write()
+	elif options.what == "rods":
+		rods.run(options.out)
 	elif options.what == "pack":
 		pack.benchmark(options.out or OUT / "bench_pack", bench_all.times())
 	elif options.list:

@@ -30,7 +30,8 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 
 DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
 BENCHMARKS = """all (default): every part that a page shows, each once; a second start goes on where the first was. stress: only the stress
-	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another
+	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. rods: blades beside
+	other programs' rods, which are fetched. pack: everything that another
 	machine's GPU needs, into --out"""
 
 
@@ -76,7 +77,7 @@ def parser():
 	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("all", "stress", "drivers", "pack"), default="all", help=BENCHMARKS)
+	bench.add_argument("what", nargs="?", choices=("all", "stress", "drivers", "rods", "pack"), default="all", help=BENCHMARKS)
 	bench.add_argument("--quick", action="store_true", help="a sample of each part, on software Vulkan too")
 	bench.add_argument("--list", action="store_true", help="only list the parts: where each runs, seconds that it took, pages that show it")
 	bench.add_argument(

@@ -2,7 +2,7 @@
 """The layers `lab` and `drivers`, by name only: the laboratory's own tests. Nothing is measured."""
 
 from lab.tools import accuracy, accuracy_page, bench_page, bench_tables, bench_tests, cost_table, driver_tests, drivers_page
-from lab.tools import lab_project, paper_page, solver_page
+from lab.tools import lab_project, paper_page, rods, solver_page
 from lab.tools.paper_rows import ms, pick
 from tools.pages import links
 from tools.places import ROOT
@@ -62,6 +62,7 @@ CHECKS = {
 	"lab/costs": cost_table.wrong,
 	"lab/README": wrong_readme,
 	"lab/drivers": drivers_page.wrong,
+	"lab/rods": rods.wrong,
 	**bench_tests.TESTS,
 }
 

@@ -81,10 +81,10 @@ def prepare(env):
 	is_zig = "/zig c++" in found
 	if arch == "x86_64":
 		env.Append(CCFLAGS=["-march=x86_64" if is_zig else "-march=x86-64"])
-	if arch in ("arm64", "rv64") and not toolchains.is_clang(
-		found
-	):  # GCC would warn about each vector that older compilers passed in another way
-		env.Append(CCFLAGS=["-Wno-psabi"])
+	if arch in ("arm64", "rv64") and not toolchains.is_clang(found):
+		env.Append(CCFLAGS=["-Wno-psabi"])  # GCC would warn about each vector that older compilers passed in another way
+	if arch == "rv64" and not toolchains.is_clang(found):  # GCC 12 calls a function for what is atomic and shorter than a word
+		env.Append(LIBS=[":libatomic.a"])
 	if system == "windows" and not is_zig:
 		# GCC cannot align the stack to more than 16 bytes there (its bug 54412), so wide moves must not count on it. The runtime
 		# is linked in, and a file's bytes tell nothing of when it was made.

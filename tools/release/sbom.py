@@ -62,7 +62,8 @@ def runtimes(target):
 		return []
 	compiler = toolchains.compiler(target.system, target.arch).split()[-1]
 	version = said(compiler, "-dumpversion" if toolchains.is_clang(compiler) else "-dumpfullversion")
-	runtime = Part("libstdc++ and libgcc", version, "GPL-3.0-or-later WITH GCC-exception-3.1", "Free Software Foundation, Inc.")
+	name = "libstdc++, libgcc and libatomic" if target.arch == "rv64" else "libstdc++ and libgcc"
+	runtime = Part(name, version, "GPL-3.0-or-later WITH GCC-exception-3.1", "Free Software Foundation, Inc.")
 	if target.system != "windows":
 		return [runtime]
 	header = subprocess.run(

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Layers of tests for other platforms: libraries and programs for them are checked, loaded and run here, under Wine and qemu.
 
-`windows` and `arm64` run all that can be run; `riscv` loads the library and compares bits; `platforms`, a part of every run, loads what
-is little optimised and compares. `double` does so with the library for engines in double precision, of which `platforms` checks the
-binding alone.
+`windows` and `arm64` run all that can be run; `riscv` loads the library, and compares bits, also with the recorded ones; `platforms`,
+a part of every run, loads what is little optimised. `double` does so with the library for engines in double precision, of which
+`platforms` checks the binding alone.
 """
 
 import os
@@ -172,7 +172,7 @@ def checks(target, quick):
 		)
 	if target != toolchains.HERE:
 		yield f"{kind}: loads, and registers what the library for this machine does", lambda: same_registration(target, quick)
-	if target != toolchains.HERE and (not quick or target == RV64):
+	if target != toolchains.HERE and not quick:
 		yield f"{kind}: steps 100 random scenes to the bits that they have on this machine", lambda: same_bits(target)
 
 
@@ -255,9 +255,8 @@ def prepare(layers):
 	if "double" in layers:
 		build.scons("extension", "precision=double")
 		build.scons("host", "precision=double", "quick=yes")
-	if "riscv" in layers:  # the library only has to load; what steps is as optimised as what ships
-		build.scons("extension", "quick=yes", *of(RV64))
-		build.scons("host", "bits", *of(RV64))
+	if "riscv" in layers:
+		build.scons("extension", "host", "bits", "golden", *of(RV64))
 	if "platforms" in layers:
 		build.scons("crossing", "host", "precision=double", "quick=yes")
 	for layer, target in (("windows", WINDOWS), ("arm64", ARM64)):
@@ -280,16 +279,15 @@ def run_layer(layer, only):
 		check(tally, only, double_checks(False))
 		check(tally, only, phone_checks())
 		return tally
-	if layer in ("double", "riscv"):
-		check(tally, only, double_checks(True) if layer == "double" else checks(RV64, True))
+	if layer == "double":
+		check(tally, only, double_checks(True))
 		return tally
-	target = WINDOWS if layer == "windows" else ARM64
+	target = {"windows": WINDOWS, "arm64": ARM64, "riscv": RV64}[layer]
 	check(tally, only, checks(target, False))
 	command, additions = runner(target)
-	for name in ("unit", "stress") if target == WINDOWS else ("unit",):
-		tally.add(
-			core(name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}", slow=target == ARM64)
-		)
+	for name in {WINDOWS: ("unit", "stress"), ARM64: ("unit",), RV64: ("golden",)}[target]:
+		tests = [*command, str(program(target, f"{name}/{name}_tests"))]
+		tally.add(core(name, only, tests, additions, f"{layer} {name}", slow=target != WINDOWS))
 	if target == ARM64:
 		tally.add(in_arm64_engine(only))
 	return tally

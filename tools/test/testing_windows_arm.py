@@ -64,7 +64,7 @@ CHECKS = {
 
 
 def run_layer(only):
-	options = (*testing_platforms.of(TARGET), "quick=yes")
+	options = (*testing_platforms.of(TARGET), "target=release", "symbols=yes")  # as it would ship
 	build.scons("extension", *options)
 	file, tally = read(build.library(*TARGET, dict(option.split("=") for option in options))), Tally()
 	testing_platforms.check(tally, only, ((name, lambda action=action: action(file)) for name, action in CHECKS.items()))
