@@ -145,8 +145,8 @@ TEST_CASE_TEMPLATE(
 	}
 }
 
-TEST_CASE_TEMPLATE(
-		"What is thinner than a segment passes through no blade: slow, it takes all along; fast, it lays most of them down", M, Direct, Pbd) {
+TEST_CASE_TEMPLATE("What is thinner than a segment passes through no blade: slow, it takes all along; fast, it lays most of them down", M,
+		Direct, Pbd) {
 	for (const Sharp &sharp : sharp_shapes()) {
 		CAPTURE(sharp.name);
 		for (const float speed : { 0.25f, 1.0f, 5.0f }) {
@@ -205,7 +205,8 @@ TEST_CASE_TEMPLATE("A ball and a capsule cut into edges by no more than a chord 
 			BladeScene scene(M::METHOD);
 			scene.add(shape, Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(radius));
 			const bool is_round = shape == GRASS_SPHERE || shape == GRASS_CAPSULE;
-			const float l = scene.length * float(GRASS_SEGMENT_SHARE), stride = 0.02f, height = radius * (shape == GRASS_CAPSULE ? 2.0f : 1.0f) + 0.1f;
+			const float l = scene.length * float(GRASS_SEGMENT_SHARE), stride = 0.02f,
+						height = radius * (shape == GRASS_CAPSULE ? 2.0f : 1.0f) + 0.1f;
 			float deepest = 0.0f;
 			for (float x = -radius - 0.6f; x < radius + 0.6f; x += stride) {
 				BladeScene::place(scene.colliders[0], { x - stride, height, 0.01f }, { x, height, 0.01f });

@@ -100,7 +100,8 @@ TEST_CASE("patch: fills the texture with blades within the lengths, widths and t
 	CHECK(patch.max_spread > 0.5 * patch.max_length);
 }
 
-TEST_CASE("patch: the clamp of a blade is as short as it should be, and its other segments are equal, knot 1 is above the root, no knot is near the ground") {
+TEST_CASE("patch: the clamp of a blade is as short as it should be, and its other segments are equal, knot 1 is above the root, no knot is "
+		  "near the ground") {
 	const Patch patch = generate_patch({});
 	double lowest = 90.0;
 	for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
