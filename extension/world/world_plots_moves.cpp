@@ -25,7 +25,7 @@ void WorldPlots::tell_once(bool &r_has_told, const PlotKey &p_key, const char *p
 // A script may have freed a field: then its plot is loaded again, unless that would go on for ever. One that is taken before its grass is
 // there leaves the plot empty.
 void WorldPlots::look_after_fields() {
-	std::erase_if(_plots, [this](const auto &p_entry) {
+	std::erase_if(_plots, [](const auto &p_entry) {
 		const auto &[key, plot] = p_entry;
 		return plot.state == State::STANDING && plot.get_field() == nullptr;
 	});

@@ -81,9 +81,9 @@ func test_the_simulated_blades_of_far_tiles_move_as_in_whole_ones() -> void:
 		var bent := 0
 		for blade in blades.size():
 			var own := blade_of(whole, blade)
-			var off := farthest(own, blade_of(thinned, blade)) / (15 * own[0].distance_to(own[1]))
+			var off := farthest(own, blade_of(thinned, blade)) / length_of(whole, blade)
 			apart += int(off > APART)
-			bent += int(own[15].y - own[0].y < 0.8 * 15 * own[0].distance_to(own[1]))
+			bent += int(own[15].y - own[0].y < 0.8 * length_of(whole, blade))
 		print("    %d of %d blades are apart, %d are bent" % [apart, blades.size(), bent])
 		assert_less(apart, FEW * blades.size() + 1)
 		assert_greater(bent, 50)
@@ -117,7 +117,7 @@ func test_blades_join_in_the_pose_of_their_neighbours() -> void:
 	var bent := 0
 	for blade in blades.size():
 		var own := blade_of(whole, blade)
-		var length := 15 * own[0].distance_to(own[1])
+		var length := own[0].distance_to(own[1]) / CLAMP_SHARE
 		assert_near(length_of(joined, blade), length_of(whole, blade), 1e-3 * length)
 		var bend := own[15] - blade_of(rest, blade)[15]
 		if bend.length() > 0.3 * length and blade % BLADES >= BLADES / 2:  # the first ones were simulated before

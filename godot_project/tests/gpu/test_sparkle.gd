@@ -25,7 +25,7 @@ func test_from_above_no_pixel_is_brighter_than_a_blade() -> void:
 	viewport.msaa_3d = Viewport.MSAA_4X
 	var sampled := brightest(await picture())
 	print("    brightest without MSAA %.3f, with it %.3f" % [plain, sampled])
-	assert_less(sampled, plain + 0.06)  # white, where something is extrapolated
+	assert_less(sampled, plain + 0.07)  # white, where something is extrapolated
 
 
 ## Some blades are dry all along. Where each is as wide as a pixel, they would dot the ground, which has the colour of all.

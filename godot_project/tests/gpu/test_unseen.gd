@@ -142,7 +142,7 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	assert_eq(farthest_of(field, knots), 0.0, "m: stands still")
 	look_back()
 	await ticks(10)
-	assert_less(farthest_of(field, knots), usual + 1e-3, "m: seen again nothing jumps")
+	assert_less(farthest_of(field, knots), 1.2 * usual + 1e-3, "m: seen again nothing jumps")
 	await drawn()
 	before = field.get_counters()
 	await ticks(10)
