@@ -91,38 +91,30 @@ template <class T> GRASS_INLINE T own_finer(const Blade<T> &p_blade, const StepT
 	return p_terms.finer > 1.0f ? select(all_are_slower(p_blade, p_terms, FINER_FROM), T(1.0f), T(p_terms.finer)) : T(1.0f);
 }
 
-// Whether colliders are on a blade's root at the end of this step.
+// Whether colliders are on a blade's root at the end of this step, so that its clamp, which cannot move out, is inside.
 template <class T> struct Burial {
-	// [Eq 46] The point a segment above the root is inside, and the blade is down: its tip is below LYING of its length.
-	MaskOf<T> is_buried;
-	// The clamp, which cannot move out, is inside, and no collider there has a point faster than BURY_BELOW or, if round,
-	// bury_round_below().
-	MaskOf<T> is_slow;
-	MaskOf<T> is_laid; // [Eq 47] one of these rests: none of its points is faster than CARRY_FROM
+	MaskOf<T> is_buried; // [Eq 46] and the blade is down: its tip is below LYING of its length
+	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW or, if round, bury_round_below()
+	MaskOf<T> is_laid; // [Eq 47] one of them rests: none of its points is faster than CARRY_FROM
 };
 template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const T &p_finer) {
 	const MaskOf<T> none = T(0.0f) > T(1.0f);
-	MaskOf<T> is_buried = none, is_covered = none, is_fast = none, is_laid = none;
-	const Vec3<T> clamp = p_blade.rest[GRASS_CLAMPED_KNOTS - 1], above = clamp * T(float(1.0 / GRASS_CLAMP_SEGMENTS));
+	MaskOf<T> is_buried = none, is_fast = none, is_laid = none;
 	const T of_step = p_blade.blade_length * p_terms.seconds;
 	const T round_below = select(p_finer > T(1.0f), T(p_terms.bury_round_below), T(p_terms.least_bury_round_below));
 	for (const TileCollider &collider : p_terms.colliders) {
-		const auto is_inside_at = [&](const Vec3<T> &p_point) {
-			const Vec3<T> place = place_now(collider, p_blade.root, p_point);
-			const auto is_bound = dot(place, place) < T(collider.bound * collider.bound);
-			return any(is_bound) ? is_bound & (find_face(collider, place).distance < T(0.0f)) : is_bound;
-		};
-		const auto is_inside = is_inside_at(clamp);
-		is_buried = is_buried | is_inside | is_inside_at(above);
+		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
+		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
 		if (any(is_inside)) {
 			const T moved = motion_of<T>(collider);
-			is_covered = is_covered | is_inside;
+			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
+			is_buried = is_buried | is_inside;
 			is_fast = is_fast | (is_inside & (moved > of_step * (is_round(collider) ? round_below : T(BURY_BELOW))));
 			is_laid = is_laid | (is_inside & !(moved > of_step * T(CARRY_FROM)));
 		}
 	}
 	is_buried = is_buried & (p_blade.knots[GRASS_SEGMENTS].y < p_blade.blade_length * T(LYING));
-	return { is_buried, is_covered & !is_fast, is_laid };
+	return { is_buried, !is_fast, is_laid };
 }
 
 // [Eq 48] Returns how many colliders could touch the blade in any pose, 0 if one of them moves or anything else drives the blade.
