@@ -44,8 +44,8 @@ template <class Body> double along_blade(const Body &p_body) {
 	return sum;
 }
 
-// [Eq Q7] The masses of a blade of length 1: of those that weigh the powers 2 to POWERS + 1 of the way as the blade does, the nearest to
-// what is nearest to each. A seventh power would make some negative.
+// [Eq Q7] Returns the masses of a blade of length 1. They weigh the powers 2 to POWERS + 1 of the way as the blade does, and are otherwise
+// as near as they can be to what lies nearest to each. One more power would make some negative.
 constexpr int POWERS = 6;
 Eigen::Vector<double, GRASS_STRAIN_MASSES> masses_of(double p_taper) {
 	Eigen::Vector<double, GRASS_STRAIN_MASSES> nearest;
