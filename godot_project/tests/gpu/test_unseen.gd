@@ -117,7 +117,9 @@ func test_a_hidden_field_does_nothing() -> void:
 
 func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> void:
 	# By the timer: by energy still tiles are not simulated in view, either.
-	var field := add_seen_field({size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER})
+	# Whole: to read knots makes blades join that no camera needs, and those settle for a second.
+	var whole := {size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER, simulation_detail = GrassField.SIMULATION_WHOLE}
+	var field := add_seen_field(whole)
 	var bodies: Array[AnimatableBody3D] = [add_seen_body(AHEAD), add_seen_body(BEHIND)]
 	look_back()
 	await ticks(150)
@@ -142,7 +144,7 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	assert_eq(farthest_of(field, knots), 0.0, "m: stands still")
 	look_back()
 	await ticks(10)
-	assert_less(farthest_of(field, knots), 1.2 * usual + 1e-3, "m: seen again nothing jumps")
+	assert_less(farthest_of(field, knots), usual + 1e-3, "m: seen again nothing jumps")
 	await drawn()
 	before = field.get_counters()
 	await ticks(10)
