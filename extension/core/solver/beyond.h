@@ -22,7 +22,7 @@ template <class T> struct Touches {
 template <class T> struct Stage {
 	T span; // of the step in seconds
 	bool is_part; // one of several parts of a step beside far-moving colliders
-	bool is_guess = false; // the first solve of a part, [Eq 50]
+	bool is_guess = false; // the first solve of a part, [Eq 52]
 	T over_inertia; // [Eq 31] how many times harder contact is than a knot's inertia
 	T most_depth; // deepest contact that a solve can undo, metres; a deeper one is a blow
 	MaskOf<T> is_buried; // [Eq 46] a blow would not free it

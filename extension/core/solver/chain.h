@@ -73,7 +73,7 @@ GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p
 	}
 }
 
-// [Eq 50] Mixes the turns of the guess, r_gains, with those at the part's start.
+// [Eq 52] Mixes the turns of the guess, r_gains, with those at the part's start.
 template <class T> GRASS_INLINE void mix_turns(const Blade<T> &p_blade, const Stage<T> &p_stage, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Vec3<T> before{}; // swing of the segment before, radians
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
