@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Trees in groves: a trunk, and a crown of cards with leaves that is darker inside and below. All of them are two draw calls.
+## Trees in groves: a trunk with limbs, and a crown of cards with leaves that is darker inside and below. Two draw calls a kind of tree.
 extends Node3D
 
 const GROVES := 26
@@ -8,20 +8,22 @@ const SPREAD := 18.0  # metres, from the middle of a grove
 const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
 const LEAVES: Array[Color] = [Color(0.45, 0.56, 0.24), Color(0.55, 0.62, 0.29), Color(0.37, 0.5, 0.23)]
 const BARK := Color(0.2, 0.16, 0.12)
-## The crown's parts: middle and half axes, in heights of the tree.
-const PARTS: Array[Array] = [
-	[Vector3(0.0, 0.74, 0.0), Vector3(0.19, 0.22, 0.19)],
-	[Vector3(0.18, 0.59, 0.05), Vector3(0.17, 0.13, 0.16)],
-	[Vector3(-0.16, 0.55, 0.11), Vector3(0.17, 0.13, 0.17)],
-	[Vector3(-0.02, 0.57, -0.19), Vector3(0.18, 0.14, 0.15)],
-	[Vector3(0.08, 0.47, 0.18), Vector3(0.13, 0.1, 0.12)],
-]
-const CARDS := 110  # of a part
-const CARD := Vector2(0.075, 0.125)  # half the side of a card, in heights of the tree, least and most
-const INSIDE := 0.55  # radii of a part from which on there are cards
-const SHADE := 0.6  # of the light inside of the crown and on its underside
-const PICTURE := 128  # texels, the side of the picture of a twig
-const LEAVES_ON_CARD := 110
+const KINDS := 3  # of trees, each with a shape of its own
+const PARTS := 13  # of a crown, each at the end of a limb; lengths here are in heights of the tree
+const CROWN := Vector2(0.36, 0.9)  # heights of the lowest and of the highest part
+const WIDEST := 0.28  # from the trunk to the middle of a part, at most
+const PART := Vector2(0.1, 0.16)  # half the width of a part, least and most
+const FLAT := 0.72  # height of a part over its width
+const FORK := 0.55  # where a limb leaves the trunk, over the height of its part
+const TRUNK := 0.021  # radius of the trunk above its foot
+const FOOT := 1.9  # radius there over that
+const SIDES := 7  # of trunks and limbs
+const CARDS := 36  # of a part
+const CARD := Vector2(0.05, 0.085)  # half the side of a card, least and most
+const INSIDE := 0.35  # radii of a part from which on there are cards
+const SHADE := 0.7  # of the light inside of the crown and on its underside
+const PICTURE := 256  # texels, the side of the picture of a twig
+const LEAVES_ON_CARD := 230
 
 const Hills := preload("res://demo/walk/hills.gd")
 const Foliage := preload("res://demo/walk/foliage.gdshader")
@@ -29,8 +31,7 @@ const Foliage := preload("res://demo/walk/foliage.gdshader")
 var count := 0  ## trees
 var others: Array[Vector3] = []  ## places of trees besides those in groves
 
-var _trunks: Array[Transform3D] = []
-var _crowns: Array[Transform3D] = []
+var _places: Array[Transform3D] = []
 
 
 ## Plants groves on the hills, from `near` to `far` metres from the middle. The same numbers give the same trees.
@@ -48,24 +49,23 @@ func make(hills: Hills, near: float, far: float) -> void:
 				_plant(foot, random)
 	for place in others:
 		_plant(place, random)
-	count = _trunks.size()
-	var trunk := CylinderMesh.new()
-	trunk.top_radius = 0.3
-	trunk.bottom_radius = 0.55
-	trunk.height = 1.0
-	trunk.radial_segments = 8
-	trunk.rings = 1
-	_add(trunk, _trunks, _bark(), [BARK], random)
-	_add(_crown(), _crowns, _foliage(), LEAVES, random)
+	count = _places.size()
+	var bark := _bark()
+	var foliage := _foliage()
+	for kind in KINDS:
+		var places: Array[Transform3D] = []
+		for i in range(kind, count, KINDS):
+			places.append(_places[i])
+		var parts := _parts(kind)
+		_add(_trunk(parts), places, bark, [BARK], random)
+		_add(_crown(parts), places, foliage, LEAVES, random)
 
 
 func _plant(foot: Vector3, random: RandomNumberGenerator) -> void:
 	var height := random.randf_range(HEIGHT.x, HEIGHT.y)
 	var turned := Basis(Vector3.UP, TAU * random.randf())
-	var thick := 0.05 * height
-	_trunks.append(Transform3D(turned.scaled(Vector3(thick, 0.5 * height, thick)), foot + 0.25 * height * Vector3.UP))
 	var wide := height * random.randf_range(0.85, 1.15)
-	_crowns.append(Transform3D(turned.scaled(Vector3(wide, height * random.randf_range(0.9, 1.05), wide)), foot))
+	_places.append(Transform3D(turned.scaled(Vector3(wide, height, wide)), foot))
 
 
 func _add(mesh: Mesh, places: Array[Transform3D], material: Material, colors: Array[Color], random: RandomNumberGenerator) -> void:
@@ -100,26 +100,74 @@ static func _foliage() -> ShaderMaterial:
 	return foliage
 
 
+## The middles of a crown's parts, around the trunk and upwards, and half their widths: in w.
+static func _parts(kind: int) -> Array[Vector4]:
+	var random := RandomNumberGenerator.new()
+	random.seed = 21 + kind
+	var parts: Array[Vector4] = []
+	for part in PARTS:
+		var up := (part + random.randf()) / PARTS
+		var away := WIDEST * sqrt(sin(PI * lerpf(0.3, 0.97, up))) * random.randf_range(0.6, 1.1)
+		var side := Vector2.from_angle(2.4 * part + random.randf_range(-0.4, 0.4)) * away
+		parts.append(Vector4(side.x, lerpf(CROWN.x, CROWN.y, up), side.y, lerpf(PART.y, PART.x, up * random.randf_range(0.7, 1.0))))
+	return parts
+
+
+## The trunk of a tree that is 1 high, and a limb to each part of its crown.
+static func _trunk(parts: Array[Vector4]) -> ArrayMesh:
+	var surface := SurfaceTool.new()
+	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	surface.set_color(Color.WHITE)
+	var rings: Array[Vector2] = [Vector2(0.0, FOOT), Vector2(0.03, 1.25), Vector2(0.1, 1.0), Vector2(0.4, 0.85), Vector2(CROWN.y, 0.2)]
+	for i in rings.size() - 1:
+		_add_tube(surface, rings[i].x * Vector3.UP, rings[i + 1].x * Vector3.UP, rings[i].y * TRUNK, rings[i + 1].y * TRUNK)
+	for part in parts:
+		var end := Vector3(part.x, part.y, part.z)
+		var from := FORK * part.y * Vector3.UP
+		var elbow := from.lerp(end, 0.5) - 0.03 * Vector3.UP
+		_add_tube(surface, from, elbow, 0.5 * TRUNK, 0.3 * TRUNK)
+		_add_tube(surface, elbow, end, 0.3 * TRUNK, 0.1 * TRUNK)
+	surface.index()
+	return surface.commit()
+
+
+static func _add_tube(surface: SurfaceTool, from: Vector3, to: Vector3, first: float, last: float) -> void:
+	var along := (to - from).normalized()
+	var across := along.cross(Vector3(0.3, 0.1, 0.9)).normalized()
+	for side in SIDES:
+		var a := across.rotated(along, TAU * side / SIDES)
+		var b := across.rotated(along, TAU * (side + 1) / SIDES)
+		var ring: Array[Vector3] = [a, b, a, a, b, b]
+		var up: Array[bool] = [false, false, true, true, false, true]
+		for corner in ring.size():
+			surface.set_normal(ring[corner])
+			surface.add_vertex((to + ring[corner] * last) if up[corner] else (from + ring[corner] * first))
+
+
 ## A crown whose tree is 1 high: cards in the parts' shells, most of them outside.
-func _crown() -> ArrayMesh:
+static func _crown(parts: Array[Vector4]) -> ArrayMesh:
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	var heart := Vector3(0.0, 0.5 * (CROWN.x + CROWN.y), 0.0)
 	var cards := 0
-	for part in PARTS:
+	for part in parts:
 		for card in CARDS:
 			var out := Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
-			var away := lerpf(1.05, INSIDE, pow(random.randf(), 2.0))
-			var middle: Vector3 = part[0] + out * away * part[1]
-			var light := lerpf(SHADE, 1.0, smoothstep(-0.7, 0.7, out.y) * smoothstep(INSIDE - 0.1, 1.05, away))
-			light *= lerpf(0.75, 1.0, smoothstep(0.3, 0.8, middle.y)) * random.randf_range(0.85, 1.1)
-			_add_card(surface, 4 * cards, middle, (out + 0.6 * (middle - PARTS[0][0]) + 0.25 * Vector3.UP).normalized(), light, random)
+			var away := lerpf(1.1, INSIDE, pow(random.randf(), 2.0))
+			var middle := Vector3(part.x, part.y, part.z) + out * away * part.w * Vector3(1.0, FLAT, 1.0)
+			var outside := smoothstep(0.05, 0.3, ((middle - heart) * Vector3(1.0, 0.7, 1.0)).length())
+			var light := lerpf(SHADE, 1.0, smoothstep(-0.7, 0.7, out.y) * outside)
+			light *= lerpf(0.75, 1.0, smoothstep(CROWN.x, CROWN.y, middle.y)) * random.randf_range(0.85, 1.1)
+			_add_card(surface, 4 * cards, middle, (out + 2.0 * (middle - heart) + 0.25 * Vector3.UP).normalized(), light, random)
 			cards += 1
 	return surface.commit()
 
 
-func _add_card(surface: SurfaceTool, first: int, middle: Vector3, normal: Vector3, light: float, random: RandomNumberGenerator) -> void:
+static func _add_card(
+	surface: SurfaceTool, first: int, middle: Vector3, normal: Vector3, light: float, random: RandomNumberGenerator
+) -> void:
 	var axis := Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
 	var across := axis.cross(normal).normalized()
 	var along := across.cross((normal + 0.8 * axis).normalized()).normalized()
