@@ -15,6 +15,10 @@ const SKY_STEPS := 48.0  # the sky is drawn again, which costs time, when its li
 const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(0.5, 0.58, 0.68)]
 const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
 const NIGHT: Array[Color] = [Color(0.012, 0.02, 0.05), Color(0.06, 0.08, 0.14), Color(0.12, 0.15, 0.26)]
+## What a low sun adds by day to zenith, horizon and ambient light, and what its light makes of thin clouds.
+const LOW: Array[Color] = [Color(0.24, 0.36, 0.6), Color(0.93, 0.74, 0.52), Color(0.54, 0.5, 0.52)]
+const LOW_CLOUDS := Color(1.0, 0.8, 0.62)
+const LOW_BELOW := Vector2(0.06, 0.5)  # height of the sun, 1 at noon: low, and no longer
 const CLOUDS: Array[Color] = [Color(0.5, 0.54, 0.58), Color(0.68, 0.71, 0.74), Color(0.5, 0.53, 0.57)]
 
 var hour := 9.0
@@ -23,7 +27,8 @@ var light := 1.0  ## 0 by night, 1 by day
 var _sun: DirectionalLight3D
 var _environment: Environment
 var _sky: ProceduralSkyMaterial
-var _drawn := Vector2.INF  # light and clouds for which the sky was drawn last
+var _drawn := Vector3.INF  # light, clouds and warmth for which the sky was drawn last
+var _warm := 0.0  # 1 by day while the sun is low
 
 
 func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
@@ -32,7 +37,8 @@ func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
 	world.environment = _environment
 	_sky = _environment.sky.sky_material
 	_sky.sky_cover = Clouds.cover()
-	_sky.sun_angle_max = 8.0  # degrees of glow around it
+	_sky.sun_angle_max = 25.0  # degrees of glow around it
+	_sky.sun_curve = 0.03  # most of it near the disc
 	_environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	_environment.reflected_light_source = Environment.REFLECTION_SOURCE_DISABLED
 	_environment.sky.radiance_size = Sky.RADIANCE_SIZE_32  # nothing takes light from it
@@ -53,6 +59,7 @@ func advance(delta: float, clouds: float) -> void:
 	var strength := 1.5 * smoothstep(0.0, 0.18, height) if is_day else 0.4 * smoothstep(0.0, 0.2, -height)
 	_sun.light_energy = strength * (1.0 - 0.85 * clouds)
 	_sun.visible = _sun.light_energy > 0.001
+	_warm = 1.0 - smoothstep(LOW_BELOW.x, LOW_BELOW.y, height) if is_day else 0.0
 	_set_air(clouds)
 
 
@@ -62,17 +69,18 @@ func _set_air(clouds: float) -> void:
 	_environment.ambient_light_energy = 1.0
 	_environment.fog_light_color = _mix(1, clouds)
 	_environment.fog_density = lerpf(0.0006, 0.004, clouds)
-	var state := (SKY_STEPS * Vector2(light, clouds)).round()
+	var state := (SKY_STEPS * Vector3(light, clouds, _warm)).round()
 	if state != _drawn:
 		_drawn = state
 		_sky.sky_top_color = _mix(0, clouds)
 		_sky.sky_horizon_color = _mix(1, clouds)
 		_sky.ground_horizon_color = _mix(1, clouds)
-		_sky.sky_cover_modulate = Color(Color.WHITE, light * light * (1.0 - clouds))
+		_sky.sky_cover_modulate = Color(Color.WHITE.lerp(LOW_CLOUDS, _warm), light * light * (1.0 - clouds))
 		_sky.ground_bottom_color = 0.4 * _mix(1, clouds)
 
 
 ## Blends the colours of night, dusk and day, in this order with growing light; greyer under clouds, which show by day.
 func _mix(which: int, clouds: float) -> Color:
-	var clear := NIGHT[which].lerp(DUSK[which], minf(2.0 * light, 1.0)).lerp(DAY[which], maxf(2.0 * light - 1.0, 0.0))
+	var day := DAY[which].lerp(LOW[which], _warm)
+	var clear := NIGHT[which].lerp(DUSK[which], minf(2.0 * light, 1.0)).lerp(day, maxf(2.0 * light - 1.0, 0.0))
 	return clear.lerp(CLOUDS[which] * lerpf(0.04, 1.0, light), clouds)

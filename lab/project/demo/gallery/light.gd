@@ -7,6 +7,7 @@ const Place := preload("res://demo/gallery/place.gd")
 const Landscape := preload("res://demo/landscape.gd")
 const DAY := preload("res://demo/day.tres")
 const WALLS := {Vector3(-3.2, 1.3, 1.0): Color(0.75, 0.08, 0.06), Vector3(3.2, 1.3, 1.0): Color(0.85, 0.85, 0.82)}
+const LOW := 25.0  # degrees: a lower sun is warm
 const WALL := Vector3(0.3, 2.6, 5.0)
 const LAMPS := {Vector3(-2.5, 2.2, 1.0): Color(1.0, 0.7, 0.4), Vector3(3.5, 2.2, -3.0): Color(0.7, 0.85, 1.0)}
 
@@ -21,6 +22,8 @@ func _init(view: Dictionary) -> void:
 	match view.sky:
 		"clear":
 			add_child(_sun(view.sun))
+			if view.sun.x < LOW:
+				_set_sky(Color(0.24, 0.36, 0.6), Color(0.93, 0.74, 0.52), 1.0)
 		"overcast":
 			_set_sky(Color(0.62, 0.65, 0.68), Color(0.78, 0.8, 0.82), 1.0)
 		"night":
@@ -44,7 +47,7 @@ func _sun(height_and_side: Vector2) -> DirectionalLight3D:
 	var sun := DirectionalLight3D.new()
 	# It shines along its -Z. Without a turn about Y that is the camera's direction, so the sun is behind the camera.
 	sun.rotation_degrees = Vector3(-height_and_side.x, 180.0 - height_and_side.y, 0.0)
-	sun.light_color = Color(1, 0.95, 0.85) if height_and_side.x > 25.0 else Color(1, 0.8, 0.58)
+	sun.light_color = Color(1, 0.95, 0.85) if height_and_side.x > LOW else Color(1, 0.8, 0.58)
 	sun.light_energy = 1.4
 	sun.shadow_enabled = true
 	sun.directional_shadow_max_distance = 80.0
