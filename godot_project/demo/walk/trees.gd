@@ -100,7 +100,7 @@ static func _foliage() -> ShaderMaterial:
 	return foliage
 
 
-## A crown whose tree is 1 high: cards in the parts' shells, most of them outside.
+## Returns a crown whose tree is 1 high: cards in the parts' shells, most of them outside.
 func _crown() -> ArrayMesh:
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
