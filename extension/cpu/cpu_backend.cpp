@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cpu/cpu_backend.h"
 
-#include "core/base/cpu_clock.h"
 #include "shared/convert.h"
 #include "shared/parallel.h"
 
@@ -97,7 +96,6 @@ void CpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 }
 
 void CpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
-	CpuClock clock;
 	_pool.resize(p_slots, p_moves);
 	_texels.resize_pool(p_slots, p_moves);
 	for (const SlotMove &move : p_moves) {
@@ -108,8 +106,6 @@ void CpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
 		}
 	}
 	_tiles_changed = true;
-	_statistics.pool_makings++;
-	_statistics.pool_ms = clock.lap();
 }
 
 void CpuBackend::draw(const FieldView &p_view) {

@@ -30,7 +30,8 @@ constexpr double CELL = GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS;
 constexpr int MOST_CELLS = 256;
 constexpr double CLOSE = 0.01; // metres; closer lines are one
 
-// Where the sheet's cells begin and end along an axis, metres from the field's middle: where heights lie, if they have a grid of their own.
+// Returns where the sheet's cells begin and end along an axis, metres from the field's middle: where heights lie, if they have a grid of
+// their own.
 std::vector<double> lines_along(double p_metres, bool p_has_grid, double p_offset) {
 	const int cells = std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
 	const double half = 0.5 * p_metres, first = std::ceil(-half - p_offset - 0.5) + 0.5 + p_offset;

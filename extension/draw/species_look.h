@@ -50,8 +50,8 @@ struct Cards {
 
 // Returns the mean colour of the opaque texels, linear; alpha: their share, 0..1. p_image: from read_card().
 godot::Color mean_color(const godot::Ref<godot::Image> &p_image);
-// The pictures that lie side by side in a texture, in the format of a layer, with mipmaps; none if it has no image. Waits for the GPU.
-// p_who: begins a message about the texture.
+// Returns the pictures that lie side by side in a texture, in the format of a layer, with mipmaps; none if it has no image. Waits for the
+// GPU. p_who: begins a message about the texture.
 std::vector<godot::Ref<godot::Image>> read_card(const godot::Ref<godot::Texture2D> &p_texture, int p_pictures, const godot::String &p_who);
 bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks);
 Cards make_cards(std::span<const SpeciesLook> p_looks);

@@ -32,7 +32,7 @@ bool is_there(const String &p_library) {
 			(FileAccess::file_exists(p_library) || DirAccess::dir_exists_absolute(p_library)); // frameworks are folders
 }
 
-// The file in which the engine looks up what to load when a game starts.
+// Returns the file in which the engine looks up what to load when a game starts.
 String list_path() {
 	const bool is_hidden = ProjectSettings::get_singleton()->get_setting("application/config/use_hidden_project_data_directory", true);
 	return is_hidden ? "res://.godot/extension_list.cfg" : "res://godot/extension_list.cfg";

@@ -52,7 +52,7 @@ private:
 	godot::PackedStringArray _left_out;
 };
 
-// The name of a tool in the history and in the toolbar.
+// Returns the name of a tool in the history and in the toolbar.
 const char *name_of(GrassBrush::Tool p_tool);
 
 } // namespace grass

@@ -16,8 +16,8 @@ public:
 
 	virtual godot::GeometryInstance3D &node() = 0;
 	virtual godot::Transform3D field_transform() const = 0; // global, without scale
-	// The transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it equals
-	// field_transform().
+	// Returns the transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it
+	// equals field_transform().
 	virtual godot::Transform3D drawn_transform() = 0;
 	// Makes the field if there is none yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
 	[[nodiscard]] virtual bool stand() = 0;

@@ -35,7 +35,7 @@ struct FieldProperties {
 	ClumpParams clump() const;
 	LodParams lod() const;
 	SolverParams solver() const; // without what is a species' own
-	// The parameters of a running field with these species.
+	// Returns the parameters of a running field with these species.
 	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
 	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
 	// Append warnings: about the species; about simulation and the number of tiles; about the band of the ground.

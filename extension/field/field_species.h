@@ -26,7 +26,7 @@ struct GrownSpecies {
 	std::shared_ptr<const Patch> patch;
 };
 
-// The field's solver as each species has it.
+// Returns the field's solver as each species has it.
 std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field);
 
 std::vector<std::shared_ptr<const Patch>> patches_of(const std::vector<GrownSpecies> &p_species);

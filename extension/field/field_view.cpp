@@ -26,7 +26,7 @@ namespace grass {
 
 namespace {
 
-// Whether a viewport's picture is drawn at all. Where only the renderer knows, it counts as drawn.
+// Returns whether a viewport's picture is drawn at all. Where only the renderer knows, it counts as drawn.
 bool is_drawn(Viewport *p_viewport) {
 	if (p_viewport->is_3d_disabled()) {
 		return false;
@@ -88,7 +88,8 @@ void add_eyes(XRInterface &p_headset, const Camera3D *p_camera, Viewport *p_view
 	}
 }
 
-// The headset that shows a viewport's picture, if any. Engines that are built with `disable_xr=yes` have no viewport that could say so.
+// Returns the headset that shows a viewport's picture, if any. Engines that are built with `disable_xr=yes` have no viewport that could say
+// so.
 Ref<XRInterface> find_headset(Viewport *p_viewport) {
 	static const bool has_xr = p_viewport->has_method("is_using_xr");
 	if (!has_xr || !p_viewport->is_using_xr()) {
@@ -122,7 +123,7 @@ bool has_motion_effect(const Ref<Compositor> &p_compositor) {
 	return false;
 }
 
-// Whether the picture of a viewport is made with motion vectors.
+// Returns whether the picture of a viewport is made with motion vectors.
 bool has_motion(const Camera3D *p_camera, Viewport *p_viewport) {
 	const Viewport::Scaling3DMode scaling = p_viewport->get_scaling_3d_mode();
 	return p_viewport->is_using_taa() || scaling == Viewport::SCALING_3D_MODE_FSR2 ||
@@ -130,15 +131,15 @@ bool has_motion(const Camera3D *p_camera, Viewport *p_viewport) {
 			has_motion_effect(p_camera->get_compositor());
 }
 
-// Whether this frame shows what the camera sees of the node's world, of whatever layers. Not by is_current(), which the editor's cameras
-// and those of the edited scene return differently.
+// Returns whether this frame shows what the camera sees of the node's world, of whatever layers. Not by is_current(), which the editor's
+// cameras and those of the edited scene return differently.
 bool is_watching(const Camera3D *p_camera, const Node3D *p_node) {
 	Viewport *viewport = p_camera->get_viewport();
 	return viewport != nullptr && viewport->get_camera_3d() == p_camera && p_camera->get_world_3d() == p_node->get_world_3d() &&
 			is_drawn(viewport);
 }
 
-// The same of some layers: the renderer draws nothing else for the camera, neither in its picture nor in the shadows there.
+// Returns the same of some layers: the renderer draws nothing else for the camera, neither in its picture nor in the shadows there.
 bool is_seeing(const Camera3D *p_camera, const Node3D *p_node, uint32_t p_layers) {
 	return (p_camera->get_cull_mask() & p_layers) != 0 && is_watching(p_camera, p_node);
 }
@@ -158,7 +159,7 @@ void find_cameras(const VisualInstance3D *p_node, const Eigen::Affine3d &p_field
 	}
 }
 
-// Whether a picture is made with motion vectors: for TAA, FSR 2, or an effect that reads them.
+// Returns whether a picture is made with motion vectors: for TAA, FSR 2, or an effect that reads them.
 bool are_motion_vectors_read(const VisualInstance3D *p_node) {
 	const SceneWatch &scene = *SceneWatch::get_singleton();
 	const bool in_world = std::ranges::any_of(scene.get_environments(), [p_node](const WorldEnvironment *p_environment) {

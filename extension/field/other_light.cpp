@@ -80,7 +80,7 @@ Color OtherLight::_ambient(const Ref<Environment> &p_environment) {
 	return source == Environment::AMBIENT_SOURCE_COLOR ? own : Color(0.0f, 0.0f, 0.0f);
 }
 
-// What falls on level ground.
+// Returns what falls on level ground.
 Color OtherLight::_of_sky(const Ref<Environment> &p_environment) {
 	if (_looks_left > 0 && _frames >= FRAMES_A_LOOK) {
 		_looks_left--;

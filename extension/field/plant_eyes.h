@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Those around whom plants have nodes: the cameras that see a field, and the bodies that move in it.
+// Finds the places around which plants have nodes: the cameras that see a field, and the bodies that move in it.
 #pragma once
 
 #include "core/field/plant_search.h"

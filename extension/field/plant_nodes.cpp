@@ -199,7 +199,6 @@ bool PlantNodes::make(const Scene &p_scene, int p_species, Node3D *&r_node) {
 				scene->get_path().is_empty() ? String("a scene without a file") : scene->get_path(), why)));
 		return true;
 	}
-	_made++;
 	return true;
 }
 
@@ -319,7 +318,6 @@ void PlantNodes::drop_unused(const Scenes &p_scenes) {
 
 void PlantNodes::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.plant_nodes = int64_t(_shown.size());
-	r_statistics.plant_nodes_made = _made;
 	r_statistics.stems_looked_at = _search.get_stems_looked_at();
 	r_statistics.plant_tiles_looked_at = _search.get_tiles_looked_at();
 }

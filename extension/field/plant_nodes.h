@@ -72,7 +72,6 @@ private:
 	std::vector<std::pair<Scene, uint64_t>> _stored; // out of the tree: scene, instance id
 	std::vector<Scene> _failed; // scenes that make no Node3D
 	uint64_t _leaves = 0; // calls of leave(), by which a loop notices one
-	int64_t _made = 0; // nodes so far
 };
 
 } // namespace grass

@@ -50,13 +50,10 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["pool_tiles"] = p_statistics.pool_tiles;
 	result["pool_slots"] = p_statistics.pool_slots;
 	result["pool_bytes"] = p_statistics.pool_bytes;
-	result["pool_makings"] = backend.pool_makings;
-	result["settling_tiles"] = tiles.settling;
 	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
 	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
 	result["still_tile_steps"] = int64_t(tiles.still_steps);
-	result["left_out_blade_steps"] = int64_t(tiles.left_out_blades);
 	result["followed_blade_steps"] = int64_t(tiles.followed_blades);
 	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
@@ -66,7 +63,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);
-	result["yielded"] = int64_t(tiles.yielded);
 	result["capped"] = int64_t(tiles.capped);
 	result["wheels"] = p_statistics.wheels;
 	result["bones"] = p_statistics.bones;
@@ -74,7 +70,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["areas"] = p_statistics.areas;
 	result["mesh_pieces"] = p_statistics.mesh_pieces;
 	result["plant_nodes"] = p_statistics.plant_nodes;
-	result["plant_nodes_made"] = p_statistics.plant_nodes_made;
 	result["stems_looked_at"] = p_statistics.stems_looked_at;
 	result["plant_tiles_looked_at"] = p_statistics.plant_tiles_looked_at;
 	result["forces"] = p_statistics.forces;
@@ -83,9 +78,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["shape_reads"] = p_statistics.reads.shapes;
 	result["engine_calls"] = p_statistics.reads.engine_calls;
 	result["tiles_looked_at"] = int64_t(tiles.looked_at);
-	result["tiles_ranked"] = int64_t(tiles.ranked);
 	result["colliders"] = tiles.colliders;
-	result["list_entries"] = tiles.list_entries;
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);
 	result["steps"] = backend.steps;
 	result["simulated_blades"] = backend.simulated_blades;
@@ -114,7 +107,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["gather_ms"] = p_statistics.gather_ms;
 	result["tiles_ms"] = p_statistics.tiles_ms;
 	result["upload_ms"] = backend.upload_ms;
-	result["pool_ms"] = backend.pool_ms;
 	result["frame_ms"] = p_statistics.frame_ms;
 	result["build_ms"] = p_statistics.build_ms;
 	result["builds"] = p_statistics.builds;

@@ -60,12 +60,8 @@ void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves, PoolR
 	}
 	_cull.change();
 	if (p_slots != _pool.get_slots()) {
-		CpuClock clock;
 		_pool.resize(p_slots, p_moves, p_room);
 		pool_changed();
-		std::lock_guard lock(_report->mutex);
-		_report->statistics.pool_makings++;
-		_report->statistics.pool_ms = clock.lap();
 	}
 }
 

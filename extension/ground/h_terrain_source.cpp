@@ -141,7 +141,7 @@ private:
 				pixel_of(p_color, p_cell - across).a < HOLE || pixel_of(p_color, p_cell + across).a < HOLE;
 	}
 
-	// The two that weigh most of three; the third one's weight is what the others leave.
+	// Returns the two that weigh most of three; the third one's weight is what the others leave.
 	static TerrainTexel find_array_texture(const Ref<Image> &p_indices, const Ref<Image> &p_weights, const Vector3 &p_cell) {
 		if (p_indices.is_null() || p_weights.is_null()) {
 			return TerrainTexel::of(0, 0, 0.0);
@@ -161,7 +161,7 @@ private:
 		return TerrainTexel::of(three[0].second, three[1].second, sum > 0.0 ? three[1].first / sum : 0.0);
 	}
 
-	// The two that weigh most.
+	// Returns the two that weigh most.
 	static TerrainTexel find_texture(const std::vector<Ref<Image>> &p_splats, const Vector3 &p_cell) {
 		std::array<std::pair<double, int>, 2> most{};
 		for (size_t n = 0; n < p_splats.size(); n++) {

@@ -106,7 +106,7 @@ protected:
 		return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
 	}
 
-	// The grid of cells from p_cells.origin along its x and z.
+	// Returns the grid of cells from p_cells.origin along its x and z.
 	static std::optional<GroundGrid> grid_of(const godot::Transform3D &p_field, const godot::Transform3D &p_cells);
 
 private:

@@ -42,7 +42,7 @@ public:
 	std::optional<Hit> hit_at(const Eigen::Vector2d &p_place);
 	// Returns the height of the highest ground at a place between two heights, in metres above the field; NaN if there is none.
 	double height_at(const Eigen::Vector2d &p_place, double p_low = -GROUND_SEARCH, double p_high = GROUND_SEARCH);
-	// The same at a corner of the ground, which a ray may pass where the ground ends.
+	// Returns the same at a corner of the ground, which a ray may pass where the ground ends.
 	double height_at_corner(const Eigen::Vector2d &p_place, double p_low = -GROUND_SEARCH, double p_high = GROUND_SEARCH);
 
 private:

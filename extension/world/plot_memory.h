@@ -9,7 +9,7 @@ namespace grass {
 
 class PlotMemory {
 public:
-	// p_plots, p_fields: of the world, must live as long.
+	// p_plots, p_fields: the world's; they must outlive this object.
 	PlotMemory(Plots &p_plots, const WorldFields &p_fields) : _plots(p_plots), _fields(p_fields) {}
 
 	// Starts with nothing measured.

@@ -42,8 +42,8 @@ public:
 	void stop();
 
 	const Pattern &get_pattern() const { return _pattern; }
-	// For what plots' maps are prepared; nothing until it is known. Scripts of the scene may run: afterwards this object may be gone, with
-	// the world.
+	// Returns where plots' maps will be shown, for which they are prepared; nothing until it is known. Scripts of the scene may run:
+	// afterwards this object may be gone, with the world.
 	const std::optional<MapPlace> &get_place() const { return _place; }
 	void find_place();
 	bool has_wrong_scene() const { return _has_wrong_scene; }

@@ -50,7 +50,7 @@ public:
 	void start(const WorldFolders &p_folders);
 	// Waits until everything is written, and ends the thread.
 	void stop();
-	// p_ask: comes back with it; p_default: where there is no file. p_place: what field it is for.
+	// p_ask: returned with it; p_default: where there is no file. p_place: what field it is for.
 	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const MapPlace &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Changes a plot that is not in memory, and writes it.

@@ -24,7 +24,7 @@ std::string name_of(const String &p_path) {
 	return p_path.utf8().get_data();
 }
 
-// A name that no file has: what was put aside before stays.
+// Returns a name that no file has: what was put aside before stays.
 String unread_path(const String &p_path) {
 	String path = p_path + String(".unread");
 	for (int64_t n = 2; FileAccess::file_exists(path); n++) {

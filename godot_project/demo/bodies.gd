@@ -13,7 +13,7 @@ func _init(p_seed: int) -> void:
 	_random.seed = p_seed
 
 
-## A body of a random kind, 0.25 to 0.6 m in size. The same seed gives the same bodies.
+## Returns a body of a random kind, 0.25 to 0.6 m in size. The same seed gives the same bodies.
 func make() -> RigidBody3D:
 	var size := _random.randf_range(0.25, 0.6)
 	var body := RigidBody3D.new()

@@ -11,7 +11,7 @@ const PATCH_METRES := 11.0
 static var _made: StandardMaterial3D
 
 
-## The material, the same for all floors. Its textures follow the place in the world, whatever the mesh.
+## Returns the material, the same for all floors. Its textures follow the place in the world, whatever the mesh.
 static func material() -> StandardMaterial3D:
 	if _made == null:
 		_made = StandardMaterial3D.new()

@@ -75,7 +75,7 @@ func get_burning() -> int:
 	return _burning.size()
 
 
-## Whether the cell at a place of the field (x, z) burns or has burnt.
+## Returns whether the cell at a place of the field (x, z) burns or has burnt.
 func has_reached(place: Vector2) -> bool:
 	var cell := Vector2i(((place + 0.5 * _field.size) / SIDE).floor())
 	return Rect2i(Vector2i.ZERO, _count).has_point(cell) and _left[cell.y * _count.x + cell.x] >= 0.0
@@ -136,6 +136,6 @@ func _show(cell: int, burns: float, charred: float) -> void:
 	image.set_pixel(cell % _count.x, cell / _count.x, Color(burns, charred, 0.0))
 
 
-## The place of a cell in the field (x, z).
+## Returns the place of a cell in the field (x, z).
 func _middle(cell: Vector2i) -> Vector2:
 	return (Vector2(cell) + Vector2(0.5, 0.5)) * SIDE - 0.5 * _field.size

@@ -44,7 +44,7 @@ func surround(p_field: GrassField, p_terrain: Hills.Terrain, is_small: bool) -> 
 	set_wind(p_field.wind_speed)
 
 
-## A copy of an environment, with clouds in its sky.
+## Returns a copy of an environment, with clouds in its sky.
 static func with_clouds(environment: Environment) -> Environment:
 	var clouded: Environment = environment.duplicate(true)
 	clouded.sky.sky_material.sky_cover = Clouds.cover()

@@ -30,7 +30,7 @@ func _ready() -> void:
 	super()
 
 
-## The middle of the lawn's `lane`, `along` metres from where the mower begins; every other lane goes back.
+## Returns the middle of the lawn's `lane`, `along` metres from where the mower begins; every other lane goes back.
 static func place_of(lane: int, along: float) -> Vector3:
 	var direction := 1.0 if lane % 2 == 0 else -1.0
 	return Vector3(direction * (along - HALF), 0.0, (lane - 0.5 * (LANES - 1)) * LANE)

@@ -13,7 +13,7 @@ static func read(p_defaults: Dictionary) -> Dictionary:
 	return options
 
 
-## All arguments, by name.
+## Returns all arguments, by name.
 static func all() -> Dictionary[String, String]:
 	var given: Dictionary[String, String] = {}
 	var arguments := OS.get_cmdline_user_args()

@@ -155,7 +155,7 @@ func _draw(shade: Callable) -> Image:
 	return image
 
 
-## A pinna of a fern: lobes along a midrib.
+## Returns a pinna of a fern: lobes along a midrib.
 func _pinna(across: float, along: float) -> Vector2:
 	var wide := minf(along / 0.1, 1.0) * pow(maxf(1.0 - along, 0.0), 0.62) * 0.97
 	var row := 9.0 * pow(along, 0.85) - 0.8 * absf(across) + (0.45 if across > 0.0 else 0.0)
@@ -244,7 +244,7 @@ func _cup(centre: Vector3, facing: Vector3, right: Vector3, front: Vector3, colo
 		_indices.append_array([low, low + 1 + i, low + 1 + (i + 1) % SIDES])
 
 
-## A twig with leaves on both sides.
+## Returns a twig with leaves on both sides.
 func _twig(across: float, along: float) -> Vector2:
 	const LEAVES := 11
 	if absf(across) < 0.05 * (1.1 - along) and along < 0.93:

@@ -55,7 +55,7 @@ func _ready() -> void:
 		get_tree().quit()
 
 
-## The field of a preset.
+## Returns the field of a preset.
 static func make(name: String) -> GrassField:
 	var field := GrassField.new()
 	var species: GrassSpecies = load(FOLDER + name + ".tres")

@@ -14,12 +14,10 @@ var text := ""
 
 
 func after() -> void:
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER.path_join(file))
-	DirAccess.remove_absolute(FOLDER)
+	remove_folder(FOLDER)
 
 
-## The result as a tool reads it.
+## Returns the result as a tool reads it.
 func measured() -> Dictionary:
 	var benchmark := SCENE.instantiate()
 	benchmark.share = SHARE

@@ -40,7 +40,7 @@ func move_body() -> void:
 	body.position.x += SPEED / TICKS_A_SECOND
 
 
-## What `look_at` returns of consecutive frames of some ticks, by default their picture: [that, tick, fraction of the way to it].
+## Returns what `look_at` returns of consecutive frames of some ticks, by default their picture: [that, tick, fraction of the way to it].
 func watch(count: int, look_at := func() -> Variant: return viewport.get_texture().get_image()) -> Array:
 	var seen := []
 	var tick := Engine.get_physics_frames()

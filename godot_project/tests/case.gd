@@ -67,7 +67,7 @@ func assert_ne(got: Variant, unexpected: Variant, message := "") -> bool:
 	return not (same and got == unexpected) or _fail("expected anything but " + _shortened(unexpected), message)
 
 
-## `got` within `tolerance` of `expected`: numbers, or vectors by their distance. NaN is near nothing.
+## Checks that `got` is within `tolerance` of `expected`: numbers, or vectors by their distance. NaN is near nothing.
 func assert_near(got: Variant, expected: Variant, tolerance: float, message := "") -> bool:
 	checks += 1
 	var off: float = absf(got - expected) if _is_number(got) else (got - expected).length()
@@ -89,23 +89,23 @@ func fail(message: String) -> bool:
 	return _fail(_shortened(message), "")
 
 
-## Ends the test's claim to be judged: `skip("no GPU"); return`. Skips are named and counted.
+## Leaves the test out: `skip("no GPU"); return`. Skips are named and counted.
 func skip(reason: String) -> void:
 	skipped = reason
 
 
-## The test provokes an error or warning whose text contains `part`, at least once; any number is then no failure.
+## Expects an error or warning whose text contains `part`, at least once; any number of them is then no failure.
 func expect_error(part: String) -> void:
 	checks += 1
 	_expected.append(part)
 
 
-## The engine may report errors whose text contains `part`, which say nothing about the test, for instance to what a script does.
+## Allows errors whose text contains `part`: they say nothing about the test, such as errors in what a script does.
 func allow_error(part: String) -> void:
 	_allowed.append(part)
 
 
-## For the runner: judges the errors that were reported while the test ran.
+## Judges the errors that were reported while the test ran; for the runner.
 func judge(errors: Array) -> void:
 	var seen := {}
 	for error: Dictionary in errors:
@@ -121,10 +121,17 @@ func judge(errors: Array) -> void:
 		failures.append("%s: the test checks nothing" % get_script().resource_path)
 
 
-## For the runner: the failures in a few lines.
+## Returns the failures in a few lines; for the runner.
 func summary() -> String:
 	var text := " | ".join(failures.slice(0, MOST_FAILURES))
 	return text + (" | and %d more" % (failures.size() - MOST_FAILURES) if failures.size() > MOST_FAILURES else "")
+
+
+## Removes a folder with its files.
+func remove_folder(folder: String) -> void:
+	for file in DirAccess.get_files_at(folder):
+		DirAccess.remove_absolute(folder.path_join(file))
+	DirAccess.remove_absolute(folder)
 
 
 func _expectation(text: String) -> String:
@@ -138,7 +145,7 @@ func _is_number(value: Variant) -> bool:
 	return value is float or value is int
 
 
-## What differs; of long arrays the first elements that do, since a tile's knots fill pages.
+## Returns what differs; of long arrays the first elements that do, since a tile's knots fill pages.
 func _difference(got: Variant, expected: Variant) -> String:
 	if typeof(got) != typeof(expected) or typeof(got) < TYPE_ARRAY or str(got).length() + str(expected).length() <= MOST_TEXT:
 		return "expected %s, got %s" % [_shortened(expected), _shortened(got)]

@@ -20,14 +20,14 @@ func make_folder(folder: String) -> void:
 	DirAccess.open(folder).create_link(ProjectSettings.globalize_path("res://addons/grass_field"), folder.path_join("addons/grass_field"))
 
 
-## The output of the engine with these arguments, headless.
+## Returns the output of the engine with these arguments, headless.
 func run(arguments: Array) -> String:
 	var output := []
 	OS.execute(OS.get_executable_path(), ["--headless"] + arguments, output, true)
 	return output[0]
 
 
-## What the project printed behind `answers: `; else the end of its output.
+## Returns what the project printed behind `answers: `; else the end of its output.
 func answers_of(output: String) -> Variant:
 	for line in output.split("\n"):
 		if line.begins_with("answers: "):

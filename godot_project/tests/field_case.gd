@@ -26,7 +26,7 @@ func add_field(properties := {}) -> GrassField:
 	return field
 
 
-## The list of one species with these properties, for a field.
+## Returns the list of one species with these properties, for a field.
 static func kind(properties: Dictionary) -> Array[GrassSpecies]:
 	var species := GrassSpecies.new()
 	for property: String in properties:
@@ -131,7 +131,7 @@ func add_shape(body: PhysicsBody3D, shape: Shape3D, at := Transform3D()) -> Coll
 	return node
 
 
-## A body that stays where it is put.
+## Adds a body that stays where it is put.
 func add_held_body(shape: Shape3D, place: Vector3) -> AnimatableBody3D:
 	var body := AnimatableBody3D.new()
 	body.sync_to_physics = false
@@ -144,14 +144,14 @@ func ball(radius: float) -> SphereShape3D:
 	return shape
 
 
-## A map on which grass grows everywhere.
+## Returns a map on which grass grows everywhere.
 func full_map() -> GrassMap:
 	var map := GrassMap.new()
 	map.base_density = 1.0
 	return map
 
 
-## A brush of full strength, hard to its edge.
+## Returns a brush of full strength, hard to its edge.
 func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:
 	var made := GrassBrush.new()
 	made.tool = tool
@@ -178,12 +178,12 @@ func awake_tiles(field: GrassField) -> Array[Vector2i]:
 	return awake
 
 
-## The knots of one blade of `knots`, those of a whole tile.
+## Returns the knots of one blade of `knots`, those of a whole tile.
 func blade_of(knots: PackedVector3Array, blade: int) -> PackedVector3Array:
 	return knots.slice(KNOTS * blade, KNOTS * (blade + 1))
 
 
-## The length of a blade of `knots`, those of a whole tile, metres.
+## Returns the length of a blade of `knots`, those of a whole tile, metres.
 func length_of(knots: PackedVector3Array, blade: int) -> float:
 	var length := 0.0
 	for knot in KNOTS - 1:
@@ -191,12 +191,12 @@ func length_of(knots: PackedVector3Array, blade: int) -> float:
 	return length
 
 
-## Knots of all blades of `tile`, one after the other, as they are now.
+## Returns knots of all blades of `tile`, one after the other, as they are now.
 func tile_knots(field: GrassField, tile: Vector2i) -> PackedVector3Array:
 	return field.wait_for_knots(field.get_tile_blades(tile))
 
 
-## Knots of all blades of the tiles, by tile.
+## Returns knots of all blades of the tiles, by tile.
 func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i, PackedVector3Array]:
 	var knots: Dictionary[Vector2i, PackedVector3Array] = {}
 	for tile in tiles:
@@ -216,7 +216,7 @@ func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	return most
 
 
-## The greatest distance of a blade of a tile in `knots` from its place in `knots`. INF without tiles.
+## Returns the greatest distance of a blade of a tile in `knots` from its place in `knots`. INF without tiles.
 func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Array]) -> float:
 	var most := 0.0 if knots else INF
 	for tile in knots:
@@ -224,7 +224,7 @@ func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Arr
 	return most
 
 
-## Whether there are tiles, and all of their knots are finite.
+## Returns whether there are tiles, and all of their knots are finite.
 func all_finite(field: GrassField, tiles: Array[Vector2i]) -> bool:
 	for tile in tiles:
 		for knot in tile_knots(field, tile):
@@ -243,7 +243,7 @@ func ticks_to_sleep(field: GrassField, limit := 1200) -> int:
 	return limit
 
 
-## A ball just above the blades of `tile`: it wakes the tile and touches nothing.
+## Adds a ball just above the blades of `tile`: it wakes the tile and touches nothing.
 func add_ball_above(field: GrassField, tile: Vector2i) -> AnimatableBody3D:
 	var tip := -INF
 	for x: int in [-1, 0, 1]:

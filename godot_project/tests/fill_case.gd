@@ -12,7 +12,7 @@ func _rule(properties := {}) -> GrassFillRule:
 	return rule
 
 
-## A field of 4 x 4 chunks that has been filled.
+## Adds a field of 4 x 4 chunks that has been filled.
 func _add_filled(rule: GrassFillRule, properties := {}) -> GrassField:
 	var field := add_field({size = Vector2(256, 256), density = 1.0, fill_rule = rule}.merged(properties))
 	await frames(2)
@@ -52,7 +52,7 @@ func _erase(map: GrassMap, place: Vector2, radius: float) -> void:
 	map.stroke(brush, place, place)
 
 
-## A path from west to east through `place`, as far to both sides as `half`, metres.
+## Adds a path from west to east through `place`, as far to both sides as `half`, metres.
 func _add_path(place: Vector3, properties := {}, half := 10.0) -> GrassPath3D:
 	var path := GrassPath3D.new()
 	path.curve = Curve3D.new()

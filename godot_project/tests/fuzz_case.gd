@@ -44,7 +44,7 @@ func own_patch() -> GrassPatch:
 	return patch
 
 
-## A random value for a property of get_property_list(); null if there is none to choose.
+## Returns a random value for a property of get_property_list(); null if there is none to choose.
 func value_for(property: Dictionary, now: Variant) -> Variant:
 	match property.type:
 		TYPE_BOOL:
@@ -102,7 +102,7 @@ func stored(object: Object) -> Array[Dictionary]:
 	)
 
 
-## Everything that may change, as [object, property].
+## Returns everything that may change, as [object, property].
 func changes_of(field: GrassField) -> Array:
 	var objects: Array[Object] = [field, field.map, field.fill_rule]
 	for species: GrassSpecies in field.species:

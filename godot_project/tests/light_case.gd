@@ -36,7 +36,7 @@ func set_light(name: String) -> void:
 	sun.rotation_degrees = Vector3(-40, angle if is_finite(angle) else 0.0, 0)
 
 
-## A field of one kind of grass that nothing moves: it is the same everywhere.
+## Adds a field of one kind of grass that nothing moves: it is the same everywhere.
 func add_even_field() -> GrassField:
 	var even := {clump_height = 0.0, clump_lean = 0.0, clump_tint = 0.0}
 	return add_seen_field(even.merged({size = Vector2(2.0, 2.0) * HALF}))
@@ -86,6 +86,6 @@ func light_of(image: Image, distance: float, from: int, to: int, share := 0.15) 
 	return sum / maxi(count, 1)
 
 
-## The row of a picture in which the grass at a distance appears.
+## Returns the row of a picture in which the grass at a distance appears.
 func row_of(image: Image, distance: float) -> float:
 	return camera.unproject_position(Vector3(0, 0.25, HALF - 2.0 - distance)).y / viewport.size.y * image.get_height()

@@ -31,7 +31,7 @@ func difference(tiles: Array[Vector2i]) -> float:
 	return most
 
 
-## The same of each blade of a tile, of the GPU's field or another one.
+## Returns the same of each blade of a tile, of the GPU's field or another one.
 func blade_differences(tile: Vector2i, field := gpu) -> PackedFloat64Array:
 	var others := tile_knots(field, tile)
 	var by_cpu := tile_knots(cpu, tile)

@@ -9,6 +9,7 @@ var camera: Camera3D
 var appeared := {}  # by blade: how often
 var left := {}
 var nodes := {}  # by blade: the node that a plant has
+var all_nodes := {}  # instance ids of all that plants have had
 var changes := 0  # signals
 
 
@@ -19,7 +20,7 @@ func before() -> void:
 	camera.make_current()
 
 
-## A shrub: a body that blocks, and an area.
+## Returns a shrub: a body that blocks, and an area.
 func shrub_scene(body: PhysicsBody3D = StaticBody3D.new()) -> PackedScene:
 	var root := Node3D.new()
 	root.name = "Shrub"
@@ -72,6 +73,7 @@ func _on_appeared(node: Node3D, species: int, blade: int) -> void:
 	changes += 1
 	appeared[blade] = appeared.get(blade, 0) + 1
 	nodes[blade] = node
+	all_nodes[node.get_instance_id()] = true
 
 
 func _on_left(node: Node3D, species: int, blade: int) -> void:
@@ -98,7 +100,7 @@ func species_of(field: GrassField, blade: int) -> int:
 	return field.get_blade_species(Vector2i(tile % width, tile / width), blade % BLADES)
 
 
-## The shrubs whose roots are up to `radius` from a place.
+## Returns the shrubs whose roots are up to `radius` from a place.
 func shrubs_within(field: GrassField, place: Vector3, radius: float) -> Array[int]:
 	var found: Array[int] = []
 	for blade in field.find_blades(place, radius):

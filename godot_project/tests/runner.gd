@@ -78,7 +78,7 @@ func _hide_window() -> void:
 	RenderingServer.viewport_set_update_mode(get_tree().root.get_viewport_rid(), RenderingServer.VIEWPORT_UPDATE_DISABLED)
 
 
-## Whether frames last 1/60 s of the scene's time: nobody tells a script of the engine's own arguments.
+## Returns whether frames last 1/60 s of the scene's time: nobody tells a script of the engine's own arguments.
 func _are_frames_fixed() -> bool:
 	for i in 5:
 		await get_tree().process_frame
@@ -94,7 +94,7 @@ func _argument(key: String, fallback: String) -> String:
 	return fallback
 
 
-## Every test of `layer` whose name contains one of `only`'s parts: {name, path, function}. A script that does not load is one too.
+## Returns every test of `layer` whose name contains one of `only`'s parts: {name, path, function}. A script that does not load is one too.
 func _plan(layer: String, only: String) -> Array:
 	var plan := []
 	for file in ResourceLoader.list_directory("res://tests/" + layer):  # in an export, too, where they have other names on disk

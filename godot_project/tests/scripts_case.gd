@@ -57,7 +57,7 @@ func other_species() -> Array[GrassSpecies]:
 	return [GrassSpecies.new(), GrassSpecies.new()]
 
 
-## What a script may do, by name.
+## Returns what a script may do, by name.
 func deeds() -> Dictionary[String, Callable]:
 	return {
 		"nothing": func() -> void: pass,

@@ -26,7 +26,7 @@ func make(share: float, color: Color, properties := {}) -> GrassSpecies:
 	return species
 
 
-## A flower of one colour: a disc on nothing.
+## Returns a flower of one colour: a disc on nothing.
 func flower(color: Color) -> ImageTexture:
 	var image := Image.create_empty(64, 64, false, Image.FORMAT_RGBA8)
 	for y in 64:

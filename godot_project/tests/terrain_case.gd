@@ -44,7 +44,7 @@ func read(field: GrassField) -> void:
 	)
 
 
-## How far the roots of some blades are from the hills, metres.
+## Returns how far the roots of some blades are from the hills, metres.
 func off_the_hills(field: GrassField, hills: Hills, place := Vector3.ZERO) -> float:
 	var most := 0.0
 	var count := field.get_grid_size()

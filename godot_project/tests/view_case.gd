@@ -34,7 +34,7 @@ func save(image: Image, name: String) -> void:
 	image.save_png(SAVED + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
-## A GrassField in the viewport; see add_field().
+## Adds a GrassField in the viewport; see add_field().
 func add_seen_field(properties := {}) -> GrassField:
 	var field := add_field(properties.merged({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF}))
 	remove_child(field)
@@ -106,13 +106,13 @@ func ready_for_picture() -> void:
 	await unseen(func() -> void: await frames_shown(2))
 
 
-## The viewport's picture as it is now.
+## Returns the viewport's picture as it is now.
 func picture() -> Image:
 	await ready_for_picture()
 	return await next_picture()
 
 
-## The picture of this very frame.
+## Returns the picture of this very frame.
 func next_picture() -> Image:
 	await RenderingServer.frame_post_draw
 	var image := viewport.get_texture().get_image()
@@ -130,7 +130,7 @@ func share_of(image: Image, is_counted: Callable) -> float:
 	return float(count) / (image.get_width() * image.get_height())
 
 
-## The greatest and the mean difference of two pictures, of all channels, 0..1.
+## Returns the greatest and the mean difference of two pictures, of all channels, 0..1.
 func difference(a: Image, b: Image) -> Vector2:
 	var most := 0.0
 	var sum := 0.0

@@ -26,13 +26,11 @@ func after() -> void:
 func empty_folder(folder := FOLDER) -> void:
 	if not DirAccess.dir_exists_absolute(folder):
 		return
-	for file in DirAccess.get_files_at(folder):
-		DirAccess.remove_absolute(folder.path_join(file))
 	DirAccess.remove_absolute(folder.path_join(".plot_size"))
-	DirAccess.remove_absolute(folder)
+	remove_folder(folder)
 
 
-## A scene with a field of few blades, as a plot's pattern.
+## Returns a scene with a field of few blades, as a plot's pattern.
 func pattern(properties := {}) -> PackedScene:
 	var field := GrassField.new()
 	field.wind_speed = 0.0

@@ -43,7 +43,7 @@ void move_balls(std::vector<ColliderShape> &r_balls, int p_step, double p_extent
 	}
 }
 
-// A frustum of planes that are tested, with all of the crowd inside.
+// Returns a frustum of planes that are tested, with all of the crowd inside.
 Frustum see_all() {
 	Frustum frustum;
 	for (size_t i = 0; i < frustum.size(); i++) {

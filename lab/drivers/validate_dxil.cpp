@@ -19,7 +19,7 @@ template <class Interface> Interface *make(DxcCreateInstanceProc p_create, REFCL
 	return p_create(p_class, __uuidof(Interface), reinterpret_cast<void **>(&made)) >= 0 ? made : nullptr;
 }
 
-// What is wrong with a container; "valid" if nothing is.
+// Returns what is wrong with a container; "valid" if nothing is.
 std::string judge(IDxcLibrary &p_library, IDxcValidator &p_validator, const std::string &p_bytes) {
 	IDxcBlobEncoding *blob = nullptr;
 	IDxcOperationResult *result = nullptr;

@@ -61,7 +61,7 @@ def scenario(nodes, load, seconds):
 
 
 def played(solver, nodes, load, seconds, frames):
-	"""(tips after each frame in lengths, seconds of a processor), or None where it diverges."""
+	"""Returns (tips after each frame in lengths, seconds of a processor), or None where it diverges."""
 	elements, task = len(nodes) - 1, scenario(nodes, load, seconds)
 	try:
 		solver.run(scenario(nodes, load, 1e-3 * seconds), n_elements=elements, n_frames=2)  # what it compiles at first does not count

@@ -40,7 +40,7 @@ class Reference:
 		return self.rod.angles_at(places) @ self.held
 
 	def shape(self, elements):
-		"""The held rod in `elements` equal pieces, each as steep as the rod in its middle; the first lies as it is clamped."""
+		"""Returns the held rod in `elements` equal pieces, each as steep as the rod in its middle; the first lies as it is clamped."""
 		angles = self.angles((np.arange(elements) + 0.5) / elements)
 		angles[0] = 0.0
 		steps = np.stack([np.cos(angles), np.sin(angles), np.zeros(elements)], axis=1) / elements
@@ -48,13 +48,13 @@ class Reference:
 
 
 def crossings(side):
-	"""The frames, and parts of them, at which the tip passes its rest place."""
+	"""Returns the frames, and parts of them, at which the tip passes its rest place."""
 	found = [i for i in range(len(side) - 1) if (side[i] > 0.0) != (side[i + 1] > 0.0)]
 	return [i + side[i] / (side[i] - side[i + 1]) for i in found]
 
 
 def swing(tips):
-	"""(frames of a swing: the mean of two that overlap, how far the tip comes back in the end)."""
+	"""Returns (frames of a swing: the mean of two that overlap, how far the tip comes back in the end)."""
 	side = tips[:, 1]
 	at = crossings(side)
 	if len(at) < 4:

@@ -25,12 +25,12 @@ class Rod:
 		self.stiffness = 1.0 / (2.0 * np.arange(functions) + 1.0)
 
 	def angles_at(self, places):
-		"""The angle that each function has at `places`: [places, functions]."""
+		"""Returns the angle that each function has at `places`: [places, functions]."""
 		legendre = np.polynomial.legendre
 		return legendre.legval(2.0 * np.asarray(places) - 1.0, legendre.legint(self.curvatures, lbnd=-1)).T / 2.0
 
 	def moved_by(self, strains):
-		"""(angle at the places, d x and d y of each by each strain)."""
+		"""Returns (angle at the places, d x and d y of each by each strain)."""
 		angle = self.shapes @ strains
 		by_angle = np.stack([-np.sin(angle), np.cos(angle)])
 		return angle, self.integrals @ (by_angle[:, :, None] * self.shapes)
@@ -40,7 +40,7 @@ class Rod:
 		return np.array([self.weights @ np.cos(angle), self.weights @ np.sin(angle)])
 
 	def held(self, load):
-		"""The strains under a load that pulls along y, for ever; reached in steps."""
+		"""Returns the strains under a load that pulls along y, for ever; reached in steps."""
 		strains = np.zeros(len(self.stiffness))
 		for share in np.linspace(0.1, 1.0, 10):
 			strains = fsolve(
@@ -51,7 +51,7 @@ class Rod:
 		return strains
 
 	def released(self, strains, times):
-		"""The tip at `times`, let go at rest from `strains` without a load and without damping: [times, 2]."""
+		"""Returns the tip at `times`, let go at rest from `strains` without a load and without damping: [times, 2]."""
 		count = len(strains)
 
 		def rates(_, state):

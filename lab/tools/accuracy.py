@@ -56,7 +56,7 @@ def write(folder, cpu, gpu_folder, is_quick):
 
 
 def solve(text, is_quick, *arguments):
-	"""Rows of all numbers of knots; `arguments` go to the programs."""
+	"""Returns rows of all numbers of knots; `arguments` go to the programs."""
 	rows = []
 	for knots in KNOTS:
 		command = [str(BUILD / f"bench/accuracy_{knots}"), *map(str, arguments), *(["--quick"] if is_quick else [])]
@@ -75,7 +75,7 @@ def record(folder, is_quick):
 
 
 def read_gpu(folder, is_quick):
-	"""Rows from the knots that a GPU wrote to `folder`, by the same problems that made the CPU's."""
+	"""Returns rows from the knots that a GPU wrote to `folder`, by the same problems that made the CPU's."""
 	with tempfile.TemporaryDirectory() as place:
 		for file in folder.glob("*.result.gz"):
 			(pathlib.Path(place) / file.stem).write_bytes(gzip.decompress(file.read_bytes()))
@@ -93,7 +93,7 @@ def compare(rows, gpu):
 
 
 def device(folder):
-	"""The name of the GPU in the scene's table."""
+	"""Returns the name of the GPU in the scene's table."""
 	with open(folder / "accuracy.csv", encoding="utf-8") as file:
 		return file.readline().removeprefix("#").strip()
 
@@ -107,7 +107,7 @@ def processor():
 
 
 def read_table(path):
-	"""(notes, rows)."""
+	"""Returns (notes, rows)."""
 	with open(path, encoding="utf-8", newline="") as file:
 		lines = file.read().splitlines()
 	notes = [line.removeprefix("#").strip() for line in lines if line.startswith("#")]

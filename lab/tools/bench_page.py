@@ -9,7 +9,7 @@ from lab.tools.bench_sections import SECTIONS
 
 
 def measured(tables):
-	"""What the page says first about its tables."""
+	"""Returns what the page says first about its tables."""
 	if not tables.commit:
 		return "The tables were measured one by one: below each stands its commit."
 	one = f"All tables are of one run of `./grass bench all`, of commit {tables.commit}"

@@ -19,7 +19,7 @@ TITLES = {
 
 
 def floor(row, blades, peaks):
-	"""(ms, what bounds it) of a step of `blades` that does only the necessary work."""
+	"""Returns (ms, what bounds it) of a step of `blades` that does only the necessary work."""
 	bounds = {name: float(row[name]) / peak for name, peak in zip(("instructions", "operations", "bytes"), peaks)}
 	bound = max(bounds, key=bounds.get)
 	return bounds[bound] * blades * 1e3, bound

@@ -39,12 +39,12 @@ class Tables:
 		return list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 	def outcomes(self, name):
-		"""(rows that were measured, rows that failed), of a table with outcomes; ([], []) without it."""
+		"""Returns (rows that were measured, rows that failed), of a table with outcomes; ([], []) without it."""
 		rows = self.rows(name) if self.has(name) else []
 		return [row for row in rows if row["outcome"] == "ok"], [row for row in rows if row["outcome"] != "ok"]
 
 	def machine(self, name):
-		"""What was measured: the card, or the processor."""
+		"""Returns what was measured: the card, or the processor."""
 		part = self.parts[name]
 		return part["device"] or part["processor"]
 
@@ -55,7 +55,7 @@ class Tables:
 		return [f"{name}.csv ({self.parts[name]['commit']})" for name in names if self.parts[name]["commit"] != self.commit]
 
 	def source(self, *names):
-		"""The lines below a table: its files, machine and commit; and whether that is another one than the set's."""
+		"""Returns the lines below a table: its files, machine and commit; and whether that is another one than the set's."""
 		files = " and ".join(f"[{self.path(name).split('/')[1]}]({self.path(name)})" for name in names)
 		part = self.parts[names[0]]
 		driver = f", driver {part['driver']}" if part["device"] and part["driver"] else ""
@@ -77,7 +77,7 @@ def unnamed(folder=FOLDER):
 
 
 def commits(table):
-	"""The commits that a table's notes name."""
+	"""Returns the commits that a table's notes name."""
 	notes = "\n".join(line for line in table.read_text().splitlines() if line.startswith("#"))
 	return {first or second for first, second in COMMIT.findall(notes)}
 

@@ -33,7 +33,7 @@ echo "{\\"part\\": \\"$name\\", \\"commit\\": \\"$commit\\", \\"quick\\": false}
 
 
 def expected(*pairs):
-	"""What differs, of (what it is, its value, what it should be)."""
+	"""Returns what differs, of (what it is, its value, what it should be)."""
 	return "; ".join(f"{what}: {value!r}, not {wanted!r}" for what, value, wanted in pairs if value != wanted)
 
 

@@ -89,13 +89,13 @@ def table(page, tables):
 
 
 def made(page, tables=None):
-	"""The page's text with its table made anew."""
+	"""Returns the page's text with its table made anew."""
 	lines = table(page, tables or Tables())
 	return TABLE.sub(lambda found: found[1] + "\n".join([*lines, "", ""]) + found[2], page.read_text())
 
 
 def wrong():
-	"""What is wrong with the tables of costs, or ""."""
+	"""Returns what is wrong with the tables of costs, or ""."""
 	lacking = [page.name for page in PAGES if not TABLE.search(page.read_text())]
 	stale = [page.name for page in PAGES if page.read_text() != made(page)]
 	return f"{lacking[0]} has no table of costs" if lacking else f"{stale[0]}: run `python3 -m lab.tools.new_set`" if stale else ""

@@ -39,7 +39,7 @@ class Card:
 	is_slow: bool = False  # its compiler takes ten times as long: variants for species, which differ by some 2 %, are left out
 
 	def figures(self, said):
-		"""Our figures of what the driver said of a pipeline. Intel's may have several programs: the largest counts."""
+		"""Returns our figures of what the driver said of a pipeline. Intel's may have several programs: the largest counts."""
 		largest = {name: max(map(int, values)) for name, values in said.items() if name != "seconds"}
 		return {figure: sum(largest.get(name, 0) for name in names) for figure, names in self.statistics.items()}
 
@@ -81,13 +81,13 @@ class Pipeline:
 		return label_of(*self.key())
 
 	def job(self):
-		"""A line for lab/drivers/pipelines.c."""
+		"""Returns a line for lab/drivers/pipelines.c."""
 		bound = " ".join(f"{number}:{LETTERS[binding.kind]}" for number, binding in sorted(spirv.read_file(self.file).bindings.items()))
 		return f"{self.label().replace(' ', '_')} {self.file} {METHODS.get(self.method, 0)} {TILES.get(self.tiles, 0)} {bound}\n"
 
 
 def passes():
-	"""The SPIR-V that the build made of each pass and its variants: {`simulate species edges`: file}."""
+	"""Returns the SPIR-V that the build made of each pass and its variants: {`simulate species edges`: file}."""
 	found = {}
 	for source in sorted(ROOT.glob("shaders/*/*.glsl")):
 		for _, suffix, name in embed.variants(source.relative_to(ROOT).as_posix()):
@@ -99,7 +99,7 @@ def passes():
 
 
 def pipelines(with_species=True):
-	"""What a field may ask a driver for."""
+	"""Returns what a field may ask a driver for."""
 	found = []
 	for name, file in passes().items():
 		if "species" in name and not with_species:
@@ -111,17 +111,17 @@ def pipelines(with_species=True):
 
 
 def is_wanted(name, method, tiles):
-	"""Whether a field takes the variant `name` of simulate by this method for such tiles."""
+	"""Returns whether a field takes the variant `name` of simulate by this method for such tiles."""
 	return tiles != "crowd" or name.endswith(CROWDED)
 
 
 def of_card(name):
-	"""The pipelines that the table has of a card."""
+	"""Returns the pipelines that the table has of a card."""
 	return pipelines(not CARDS[name].is_slow)
 
 
 def compile_for(name, chosen):
-	"""Rows of the table: of card `name`, for the `chosen` pipelines."""
+	"""Returns rows of the table: of card `name`, for the `chosen` pipelines."""
 	card = CARDS[name]
 	jobs = driver_tools.FOLDER / f"{name}.list"
 	jobs.parent.mkdir(parents=True, exist_ok=True)
@@ -151,14 +151,14 @@ def key_of(row):
 
 
 def read():
-	"""(what the committed table says of its making, its rows by key)."""
+	"""Returns (what the committed table says of its making, its rows by key)."""
 	lines = TABLE.read_text().splitlines() if TABLE.exists() else []
 	rows = csv.DictReader(line for line in lines if not line.startswith("#"))
 	return [line[2:] for line in lines if line.startswith("#")], {key_of(row): row for row in rows}
 
 
 def grown(row, known):
-	"""What has grown too far against the table's row, in words; "" if nothing has."""
+	"""Returns what has grown too far against the table's row, in words; "" if nothing has."""
 	if known is None:
 		return "the table lacks it"
 	pairs = ((figure, int(known[figure]), int(row[figure])) for figure in FIGURES)
@@ -166,7 +166,7 @@ def grown(row, known):
 
 
 def commit():
-	"""The commit that changed shaders last, and whether they have changed since."""
+	"""Returns the commit that changed shaders last, and whether they have changed since."""
 
 	def git(*arguments):
 		return subprocess.run(["git", *arguments, "--", "shaders"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
@@ -175,7 +175,7 @@ def commit():
 
 
 def made_by(notes, card, family):
-	"""What a table says of the making of a card's rows for the passes of a family: `simulate` for `simulate edges`."""
+	"""Returns what a table says of the making of a card's rows for the passes of a family: `simulate` for `simulate edges`."""
 	by_label = dict(note.split(": ", 1) for note in notes)
 	return by_label.get(f"{card} {family}", by_label.get(card, ""))
 

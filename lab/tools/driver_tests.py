@@ -63,7 +63,7 @@ def drawing_to_dxil(tally, only):
 
 
 def advice(notes, card, pipeline):
-	"""The advice for a figure that has grown."""
+	"""Returns the advice for a figure that has grown."""
 	there = driver_figures.made_by(notes, card, pipeline.family()).split(";")[0] or "no compiler"
 	here = f"Mesa {driver_tools.mesa_version()}"
 	other = f" The table is of {there}, this is {here}." if there != here else ""

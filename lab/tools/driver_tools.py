@@ -42,7 +42,7 @@ EDITS = (
 
 
 def driver(name):
-	"""A driver of Debian's Mesa."""
+	"""Returns a driver of Debian's Mesa."""
 	found = LIBRARIES / f"libvulkan_{name}.so"
 	return found if found.exists() else None
 
@@ -82,7 +82,7 @@ def run_fetched(program, *arguments, **options):
 
 
 def compiled(source, *flags):
-	"""A program from one source in lab/drivers/, compiled if the source is newer."""
+	"""Returns a program from one source in lab/drivers/, compiled if the source is newer."""
 	program = FOLDER / pathlib.Path(source).stem
 	if not program.exists() or program.stat().st_mtime < (ROOT / source).stat().st_mtime:
 		FOLDER.mkdir(parents=True, exist_ok=True)
@@ -92,7 +92,7 @@ def compiled(source, *flags):
 
 
 def pipelines():
-	"""The program that makes pipelines. It is linked against the fetched Vulkan loader, and runs with it."""
+	"""Returns the program that makes pipelines. It is linked against the fetched Vulkan loader, and runs with it."""
 	return compiled(
 		"lab/drivers/pipelines.c", "-idirafter", DRIVERS.place / "usr/include", f"-L{LIBRARIES}",
 		"-Wl,--allow-shlib-undefined", "-l:libvulkan.so.1",
@@ -108,7 +108,7 @@ def with_driver(name, description):
 
 
 def strain_parity(spirv):
-	"""How far the pass by strains and its C++ are apart, and how far from rest blades go: blade lengths."""
+	"""Returns how far the pass by strains and its C++ are apart, and how far from rest blades go: blade lengths."""
 	source = ROOT / "lab/drivers/strain_parity.cpp"
 	program = FOLDER / source.stem
 	FOLDER.mkdir(parents=True, exist_ok=True)
@@ -121,7 +121,7 @@ def strain_parity(spirv):
 
 
 def make_pipelines(name, jobs, additions):
-	"""The statistics of driver `name`'s compiler for the pipelines that `jobs` lists: {pipeline: {statistic: value}}."""
+	"""Returns the statistics of driver `name`'s compiler for the pipelines that `jobs` lists: {pipeline: {statistic: value}}."""
 	environment = {**with_driver(name, jobs.with_suffix(".json")), **additions}
 	said = {}
 	for line in run_fetched(pipelines(), jobs, env=environment).splitlines():
@@ -183,12 +183,12 @@ def ensure_validator():
 
 
 def to_msl(file):
-	"""A pass in Metal's language, by the translator that Godot uses. Raises Failure if that fails."""
+	"""Returns a pass in Metal's language, by the translator that Godot uses. Raises Failure if that fails."""
 	return run_fetched(spirv_cross(), "--msl", "--msl-version", "20100", file)
 
 
 def to_dxil(file, stage="compute"):
-	"""The file of a shader as DXIL. Raises Failure if the translation fails."""
+	"""Returns the file of a shader as DXIL. Raises Failure if the translation fails."""
 	made = FOLDER / f"{file.stem}.dxil"
 	made.unlink(missing_ok=True)
 	run([MESA / "spirv2dxil", "-s", stage, "-e", "main", "-m", "2", "-x", "7", "-o", made, file])
@@ -198,7 +198,7 @@ def to_dxil(file, stage="compute"):
 
 
 def wrong_dxil(files):
-	"""The validator's complaints about each of `files`; "" if there are none."""
+	"""Returns the validator's complaints about each of `files`; "" if there are none."""
 	validator = compiled("lab/drivers/validate_dxil.cpp", "-isystem", DXIL, "-ldl")
 	lines = run([validator, DXIL / MEMBERS[2], *files]).splitlines()
 	said = dict(line.split("\t", 1) for line in lines)

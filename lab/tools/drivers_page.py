@@ -16,7 +16,7 @@ def cell(row):
 
 
 def figures():
-	"""A table for each driver: pipelines down, cards across. Variants for species are left to the CSV."""
+	"""Returns a table for each driver: pipelines down, cards across. Variants for species are left to the CSV."""
 	notes, rows = driver_figures.read()
 	lines = []
 	for driver in dict.fromkeys(card.driver for card in driver_figures.CARDS.values()):
@@ -30,12 +30,12 @@ def figures():
 
 
 def page(text):
-	"""The page with its table made anew."""
+	"""Returns the page with its table made anew."""
 	return with_table(text, "figures", figures())
 
 
 def wrong():
-	"""What is wrong with the page, or ""."""
+	"""Returns what is wrong with the page, or ""."""
 	text = PAGE.read_text()
 	return "" if has_table(text, "figures") and text == page(text) else "run `python3 -m lab.tools.drivers_page`"
 

@@ -28,7 +28,7 @@ def wrong_pages():
 
 
 def wrong_readme():
-	"""Figures that README.md should name, by the tables of the set, and does not."""
+	"""Returns figures that README.md should name, by the tables of the set, and does not."""
 	tables = bench_tables.Tables()
 	rivals = pick(tables.rows("paper_rivals"), outcome="ok")
 

@@ -17,20 +17,20 @@ MAKERS = r"\b(NVIDIA|GeForce|AMD|ATI|Intel|Radeon|Apple|Processor|Graphics|\w*\(
 
 
 def slug(machine):
-	"""A card or a processor in a word: NVIDIA H100 80GB HBM3 is h100, Intel(R) Xeon(R) Processor xeon."""
+	"""Returns a card or a processor in a word: NVIDIA H100 80GB HBM3 is h100, Intel(R) Xeon(R) Processor xeon."""
 	words = re.sub(MAKERS, " ", machine).split()
 	return re.sub(r"[^a-z0-9]+", "-", (words or ["unknown"])[0].lower()).strip("-")
 
 
 def kept(record):
-	"""What the set keeps of a record. Its command names no folder of the machine: --out OUT."""
+	"""Returns what the set keeps of a record. Its command names no folder of the machine: --out OUT."""
 	about = {key: record.get(key, "") for key in KEPT}
 	about["command"] = re.sub(r"--(\w+) \S*/\S*", lambda found: f"--{found[1]} {found[1].upper()}", about["command"])
 	return about
 
 
 def gathered(card, here):
-	"""{part: (its folder, its record)} of both folders; what was measured here counts only for parts that are measured here."""
+	"""Returns {part: (its folder, its record)} of both folders; what was measured here counts only for parts that are measured here."""
 	found = {name: (card, record) for name, record in records(card).items() if name in BY_NAME and BY_NAME[name].where != HERE}
 	return found | {name: (here, record) for name, record in records(here).items() if name in BY_NAME and BY_NAME[name].where == HERE}
 

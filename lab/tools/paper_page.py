@@ -25,7 +25,7 @@ def number(value):
 
 
 def page(tables):
-	"""The page: a section for each part that was measured."""
+	"""Returns the page: a section for each part that was measured."""
 	lines = ["# Beside the paper", ""]
 	lines += [
 		'Fan, Li, Hillesland, Sheng: "Simulation and Rendering for Millions of Grass Blades" (I3D 2015), section 6, measured a Radeon HD 7970. '
@@ -199,7 +199,7 @@ def rivals(rows):
 
 
 def verdicts(rows):
-	"""The targets at eye level, and whether they are met."""
+	"""Returns the targets at eye level, and whether they are met."""
 	lines = []
 	for shadows in ("on", "off"):
 		times = {(row["kind"], round(int(row["blades"]) / 2**20)): ms(row) for row in pick(rows, view="eye", shadows=shadows)}

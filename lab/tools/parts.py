@@ -69,7 +69,7 @@ BY_NAME = {part.name: part for part in PARTS}
 
 
 def chosen(only=""):
-	"""The parts that `only` names, with commas, `card` and `here` for all of that place; without it those that pages show."""
+	"""Returns the parts that `only` names, with commas, `card` and `here` for all of that place; without it those that pages show."""
 	if not only:
 		return [part for part in PARTS if part.pages]
 	found = []
@@ -81,7 +81,7 @@ def chosen(only=""):
 
 
 def listing(times):
-	"""The lines of the pack's file `parts`, which all.sh reads. `times`: seconds that parts took, by name."""
+	"""Returns the lines of the pack's file `parts`, which all.sh reads. `times`: seconds that parts took, by name."""
 	lines = []
 	for part in PARTS:
 		if part.where == CARD and part.pages:

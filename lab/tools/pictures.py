@@ -62,7 +62,7 @@ def record(out, only):
 
 
 def listing():
-	"""The lines of the pack's file `recordings`, which pictures.sh reads."""
+	"""Returns the lines of the pack's file `recordings`, which pictures.sh reads."""
 	return [" ".join([name, SIZES.get(name, SIZE), os.path.join(name, FRAMES.get(name, "")), *RATE]) for name in RECORDINGS]
 
 

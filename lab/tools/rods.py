@@ -52,7 +52,7 @@ def run(out):
 
 
 def table():
-	"""The lines of the page's table."""
+	"""Returns the lines of the page's table."""
 	lines = TABLE.read_text().splitlines()
 	body = []
 	for row in csv.DictReader(line for line in lines if not line.startswith("#")):
@@ -64,11 +64,11 @@ def table():
 
 
 def made(text):
-	"""The page's text with its table made anew."""
+	"""Returns the page's text with its table made anew."""
 	return with_table(text, "rods", table())
 
 
 def wrong():
-	"""What the page's table shows and rods.csv does not say, for the layer `lab`."""
+	"""Returns what the page's table shows and rods.csv does not say, for the layer `lab`."""
 	text = PAGE.read_text()
 	return "" if text == made(text) else f"the table of rods in {PAGE.name} is not what rods.csv says: run `./grass bench rods`"

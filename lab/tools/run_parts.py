@@ -22,7 +22,7 @@ SMALL = "640x360"  # of a window whose picture software draws
 
 
 def records(folder):
-	"""The records of parts that are done, by name."""
+	"""Returns the records of parts that are done, by name."""
 	found = {}
 	for path in sorted(folder.glob("*.json")):
 		with contextlib.suppress(ValueError):  # one that was cut off
@@ -33,7 +33,7 @@ def records(folder):
 
 
 def left(parts, folder, commit, is_quick):
-	"""Those of the parts that are not done at this commit, in full or as a sample."""
+	"""Returns those of the parts that are not done at this commit, in full or as a sample."""
 	known = records(folder)
 	return [
 		part
@@ -89,7 +89,7 @@ def program(part, folder, commit, is_quick):
 
 
 def arguments(part, folder, commit, is_quick):
-	"""Those of bench.gd."""
+	"""Returns those of bench.gd."""
 	found = ["--only", part.key(), "--as", part.name, "--commit", commit, "--out", str(folder)]
 	if "spirv" in part.takes:
 		found += ["--spirv", str(BUILD / "bench")]
@@ -144,7 +144,7 @@ def has_card():
 
 
 def listing(times):
-	"""Lines that name the parts, the seconds of each and its pages."""
+	"""Returns lines that name the parts, the seconds of each and its pages."""
 	lines = []
 	for part in PARTS:
 		seconds = times.get(part.name)

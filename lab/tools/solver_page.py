@@ -23,7 +23,7 @@ def table(tables):
 
 
 def made(text, tables):
-	"""The page's text with its table made anew; as it is where the set has none."""
+	"""Returns the page's text with its table made anew; as it is where the set has none."""
 	if not tables.has("speed"):
 		return text
 	return TABLE.sub(lambda found: found[1] + "\n".join(table(tables)) + found[2], text)

@@ -101,7 +101,7 @@ LINES = (
 
 
 def lines(tables):
-	"""The lines; one whose table is only a sample, or lacks the rows, is left out."""
+	"""Returns the lines; one whose table is only a sample, or lacks the rows, is left out."""
 	found = []
 	for line, part in LINES:
 		if not tables.has(part) or tables.parts[part].get("quick"):

@@ -184,7 +184,7 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
-// The number of levels before p_level that have a surface.
+// Returns the number of levels before p_level that have a surface.
 uint count_surfaces(int p_level) {
 	uint low = p_level < 32 ? (1u << uint(p_level)) - 1u : 0xffffffffu;
 	uint high = p_level < 32 ? 0u : (1u << uint(p_level - 32)) - 1u;

@@ -136,7 +136,7 @@ GrassSlot slot; // of this thread's tile
 #include "solver/air.inc"
 #include "solver/report.inc"
 
-// The direction of the blade's width at the root.
+// Returns the direction of the blade's width at the root.
 vec3 width_at_root() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
 	return vec3(cos(azimuth), 0.0, sin(azimuth));

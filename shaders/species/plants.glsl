@@ -83,7 +83,7 @@ ivec2 patch_texel(int p_blade, int p_knot) {
 
 shared uint plants_of_tile; // of the species
 
-// The first tile of the square around a camera. The square is inside of the field.
+// Returns the first tile of the square around a camera. The square is inside of the field.
 ivec2 corner_of(uint p_camera) {
 	vec2 place = cameras[p_camera].eye.xz / tile_size + 0.5 * tiles;
 	return clamp(ivec2(floor(place)) - ivec2(box.xy) / 2, ivec2(0), ivec2(tiles) - ivec2(box.xy));
@@ -94,7 +94,7 @@ bool is_in_square(uint p_camera, ivec2 p_tile) {
 	return all(greaterThanEqual(from, ivec2(0))) && all(lessThan(from, ivec2(box.xy)));
 }
 
-// Whether a camera sees the tile, or its shadow, with plants.
+// Returns whether a camera sees the tile, or its shadow, with plants.
 bool is_wanted(vec3 p_middle, vec3 p_half) {
 	for (uint i = 0u; i < view.counts.x; i++) {
 		float away = distance(cameras[i].eye.xyz, p_middle) - length(p_half);

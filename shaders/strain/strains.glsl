@@ -211,7 +211,7 @@ StrainBlade load_blade() {
 	return StrainBlade(vec3(cos(azimuth), 0.0, sin(azimuth)), size, 0.5 / max(size * float(GRASS_SEGMENT_SHARE), 1e-12));
 }
 
-// Whether a step would change nothing: the blade is at rest, and nothing moves it.
+// Returns whether a step would change nothing: the blade is at rest, and nothing moves it.
 bool is_resting(vec4 p_air) {
 	float sum = sum_of(OWN_STEP.load.xyz + p_air.xyz);
 	[[unroll]]

@@ -58,7 +58,7 @@ def class_lacks(found, ours, newer):
 
 
 def lacks(found, ours, newer):
-	"""Kind -> what `newer` lacks of what is looked up; `ours` is the interface that the binding was generated from."""
+	"""Returns kind -> what `newer` lacks of what is looked up; `ours` is the interface that the binding was generated from."""
 	names = {name.upper(): name for name, _ in ours.constructors}  # STRINGNAME: StringName
 
 	def builtin(code):
@@ -89,7 +89,7 @@ def lacks(found, ours, newer):
 
 
 def c_lacks(found, ours, theirs):
-	"""What a C interface lacks of the functions that loading demands: a function with other parameters it lacks, too."""
+	"""Returns what a C interface lacks of the functions that loading demands: a function with other parameters it lacks, too."""
 	return [*map_lacks({(name,): ours[name] for name in sorted(found.functions)}, {(name,): kinds for name, kinds in theirs.items()})]
 
 

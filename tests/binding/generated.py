@@ -28,7 +28,7 @@ PACKED = {"Byte": "uint8_t", "Int32": "int32_t", "Int64": "int64_t", "Float32": 
 
 
 def header(name):
-	"""The path of a class's header: Node3D is node3d.hpp, RDShaderSPIRV rd_shader_spirv.hpp."""
+	"""Returns the path of a class's header: Node3D is node3d.hpp, RDShaderSPIRV rd_shader_spirv.hpp."""
 	name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
 	name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
 	return re.sub(r"_?([23])_d", r"\1d", name)
@@ -45,7 +45,7 @@ class Rules:
 				name = self.classes[name].get("inherits")
 
 	def known(self, entry):
-		"""Whether the function's types are among the chosen ones."""
+		"""Returns whether the function's types are among the chosen ones."""
 		types = [argument["type"] for argument in entry.get("arguments", [])]
 		types.append(entry.get("return_value", {}).get("type", ""))
 		for kind in types:
@@ -86,7 +86,7 @@ class Rules:
 		return f"{self.result(result['type'], result.get('meta'))}({parameters})"
 
 	def call(self, owner, entry, prefix):
-		"""A template of any number of arguments, by a use of it."""
+		"""Returns a template of any number of arguments, by a use of it."""
 		result = (entry.get("return_value") or {"type": entry.get("return_type", "void")})["type"]
 		given = [f"a<std::remove_cvref_t<{self.parameter(argument)}>>()" for argument in entry.get("arguments", [])] + ["1", "String()"]
 		return f"CALL({owner}, {entry['name']}, {self.result(result)}, {prefix}{entry['name']}({', '.join(given)}))"
@@ -133,7 +133,7 @@ class Rules:
 
 
 def packed(name):
-	"""What the packed arrays have beside the dump."""
+	"""Returns what the packed arrays have beside the dump."""
 	element = PACKED.get(name[len("Packed") : -len("Array")]) if name.startswith("Packed") else None
 	if not element:
 		return []

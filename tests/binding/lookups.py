@@ -109,7 +109,7 @@ def c_functions(header):
 
 
 def c_description(text, version):
-	"""The same of the description of the interface as JSON, of what an engine of `version` has."""
+	"""Returns the same of the description of the interface as JSON, of what an engine of `version` has."""
 	found = {}
 	for entry in json.loads(text)["interface"]:
 		if [*map(int, entry["since"].split("."))] <= [*map(int, version.split("."))]:

@@ -8,7 +8,7 @@ STATEMENT = re.compile(r"^(METHOD|STATIC|FUNCTION|CONSTRUCTOR|EXPLICIT_CONSTRUCT
 
 
 def plain(text):
-	"""The text without comments, strings and preprocessor lines."""
+	"""Returns the text without comments, strings and preprocessor lines."""
 	text = re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
 	text = re.sub(r'"(?:\\.|[^"\\])*"', '""', text)
 	text = re.sub(r"^\s*ENGINE_CLASS\(.*\)$", "", text, flags=re.M)
@@ -16,14 +16,14 @@ def plain(text):
 
 
 def macros(text):
-	"""The macros that a header leaves defined; those with a leading _ are the binding's own."""
+	"""Returns the macros that a header leaves defined; those with a leading _ are the binding's own."""
 	text = re.sub(r"//[^\n]*", "", text)
 	gone = set(re.findall(r"^#undef (\w+)", text, re.M))
 	return set(re.findall(r"^\s*#define (?!_GODOT)(\w+)", text, re.M)) - gone
 
 
 def close(text, start):
-	"""The place behind the brace that closes the one at `start`."""
+	"""Returns the place behind the brace that closes the one at `start`."""
 	depth = 0
 	for place in range(start, len(text)):
 		depth += {"{": 1, "}": -1}.get(text[place], 0)
@@ -58,13 +58,13 @@ def pieces(text):
 
 
 def scope(head):
-	"""(kind, name) of the namespace, class or enum that `head` begins."""
+	"""Returns (kind, name) of the namespace, class or enum that `head` begins."""
 	match = re.search(r"\b(namespace|class|struct|union|enum)\b(?: class)?\s*([\w:]*)", head)
 	return (match[1], match[2]) if match and "(" not in head else (None, None)
 
 
 def name_of(head):
-	"""The name that a declaration declares, or None."""
+	"""Returns the name that a declaration declares, or None."""
 	if alias := re.match(r"(?:template\s*<.*>\s*)?using (\w+) =", head):
 		return alias[1]
 	if "operator" not in head and "=" in head.split("(")[0]:
@@ -112,7 +112,7 @@ def offered(text, owner="", access=None):
 
 
 def stated(texts):
-	"""How often each (class, member) is stated."""
+	"""Returns how often each (class, member) is stated."""
 	count = collections.Counter()
 	aliases = dict(re.findall(r"^using (\w+) = (\w+)", "\n".join(texts), re.M))
 	for kind, inner in STATEMENT.findall("\n".join(texts)):

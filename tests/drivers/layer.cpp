@@ -172,7 +172,7 @@ void destroy_shader_module(void *p_device, uint64_t p_module, const void *p_allo
 	}
 }
 
-// The loader's link to the next layer. It goes on to the one behind that.
+// Returns the loader's link to the next layer. It goes on to the one behind that.
 const LayerLink *take_link(const Structure *p_chain, int32_t p_type) {
 	for (; p_chain != nullptr; p_chain = p_chain->next) {
 		auto *info = reinterpret_cast<LayerCreateInfo *>(const_cast<Structure *>(p_chain));

@@ -11,7 +11,7 @@ bool make_later(
 bool make_later(
 		void *p_device, GetDeviceFunction p_next, uint32_t p_count, const ComputePipelineCreateInfo *p_infos, uint64_t *r_pipelines);
 
-// The driver's pipeline for a handle, which is made now if it waited. A handle that the driver gave is returned as it is.
+// Returns the driver's pipeline for a handle, which is made now if it waited. A handle that the driver gave is returned as it is.
 uint64_t made(uint64_t p_pipeline);
 // Forgets a handle. The driver's pipeline, which the caller destroys; 0: it was never made.
 uint64_t forget(uint64_t p_pipeline);

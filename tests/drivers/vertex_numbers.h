@@ -12,6 +12,6 @@ enum class Counting {
 	RESTORED, // rewritten likewise, then the base is added again: a picture that differs shows a fault of the rewriting
 };
 
-// The SPIR-V of p_code with InstanceIndex and VertexIndex less BaseInstance and BaseVertex. Empty where nothing is to be rewritten: no
-// vertex shader, or one that reads neither.
+// Returns the SPIR-V of p_code with InstanceIndex and VertexIndex less BaseInstance and BaseVertex. Empty where nothing is to be rewritten:
+// no vertex shader, or one that reads neither.
 std::vector<uint32_t> count_vertices(std::span<const uint32_t> p_code, Counting p_counting);

@@ -104,7 +104,7 @@ void read_collider(Bytes &r_bytes, BladeScene &r_scene) {
 	}
 }
 
-// A segment's error, metres, over what is allowed of it: 1e-3 of the segment and a rounding error of the blade.
+// Returns a segment's error, metres, over what is allowed of it: 1e-3 of the segment and a rounding error of the blade.
 float stretch_of(const BladeScene &p_scene) {
 	return p_scene.largest([&](int p_blade, int p_knot) {
 		const float wanted = (p_scene.rest(p_blade, p_knot) - p_scene.rest(p_blade, p_knot - 1)).norm();

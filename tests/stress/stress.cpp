@@ -27,7 +27,7 @@ vec4 quaternion(float p_angle, const Eigen::Vector3f &p_axis) {
 	return { turn.x(), turn.y(), turn.z(), turn.w() };
 }
 
-// The numbers below p_count that this run is for, first and last + 1: all, or in the k-th of n parts of them.
+// Returns the numbers below p_count that this run is for, first and last + 1: all, or in the k-th of n parts of them.
 std::pair<int, int> find_part(int p_count) {
 	int part = 1, parts = 1;
 	if (const char *words = std::getenv("GRASS_STRESS_PART")) {

@@ -65,7 +65,7 @@ private:
 	std::vector<Body> _bodies;
 };
 
-// What is wrong with a scene after a step; "" if nothing.
+// Returns what is wrong with a scene after a step; "" if nothing.
 std::string look_at(const BladeScene &p_scene);
 // Takes all bodies and loads away; what is wrong p_seconds later, with the default parameters: blades not back at rest.
 std::string calm_down(BladeScene &r_scene, double p_seconds = 4.0);

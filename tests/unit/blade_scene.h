@@ -39,7 +39,7 @@ inline float cos_of(float p_angle) {
 	return float(cosine(double(p_angle)));
 }
 
-// What p_at(knot) is at a share p_share of the way from root to tip.
+// Returns what p_at(knot) is at a share p_share of the way from root to tip.
 template <class At> Eigen::Vector3f between_knots(double p_share, const At &p_at) {
 	int below = 0;
 	while (below < GRASS_SEGMENTS - 1 && knot_share(below + 1) < p_share) {
@@ -101,7 +101,7 @@ struct BladeScene {
 		return free < 0 ? rest(p_blade, p_knot)
 						: Eigen::Vector3f(tile->knots[0][free][p_blade], tile->knots[1][free][p_blade], tile->knots[2][free][p_blade]);
 	}
-	// The place at a share p_share of the way from root to tip.
+	// Returns the place at a share p_share of the way from root to tip.
 	Eigen::Vector3f place(int p_blade, double p_share) const {
 		return between_knots(p_share, [&](int p_knot) { return knot(p_blade, p_knot); });
 	}
@@ -158,7 +158,7 @@ struct BladeScene {
 		}
 	}
 
-	// The largest of something over all knots that move.
+	// Returns the largest of something over all knots that move.
 	float largest(const std::function<float(int, int)> &p_measure) const {
 		float most = 0.0f;
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
@@ -176,11 +176,11 @@ struct BladeScene {
 			return std::abs((knot(b, k) - knot(b, k - 1)).norm() - wanted) / wanted;
 		});
 	}
-	// How far any knot is from its rest place, blade lengths.
+	// Returns how far any knot is from its rest place, blade lengths.
 	float distance_from_rest() const {
 		return largest([&](int b, int k) { return (knot(b, k) - rest(b, k)).norm() / length; });
 	}
-	// How far any knot of another scene with the same blades is from this one's, blade lengths.
+	// Returns how far any knot of another scene with the same blades is from this one's, blade lengths.
 	float distance_from(const BladeScene &p_other) const {
 		return largest([&](int b, int k) { return (knot(b, k) - p_other.knot(b, k)).norm() / length; });
 	}
@@ -192,16 +192,16 @@ struct BladeScene {
 	bool is_finite() const {
 		return std::isfinite(largest([&](int b, int k) { return knot(b, k).cwiseAbs().sum(); }));
 	}
-	// How deep a knot is in a collider, metres.
+	// Returns how deep a knot is in a collider, metres.
 	float depth_in(const TileCollider &p_collider, int p_blade, int p_knot) const {
 		return depth_of(p_collider, offset_from(p_collider, p_blade, knot(p_blade, p_knot)));
 	}
-	// How deep a point of a segment, p_share along it, is in a collider, metres.
+	// Returns how deep a point of a segment, p_share along it, is in a collider, metres.
 	float depth_in(const TileCollider &p_collider, int p_blade, int p_segment, float p_share) const {
 		const Eigen::Vector3f along = knot(p_blade, p_segment + 1) - knot(p_blade, p_segment);
 		return depth_of(p_collider, offset_from(p_collider, p_blade, knot(p_blade, p_segment) + along * p_share));
 	}
-	// How deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
+	// Returns how deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
 	float edge_depth() const {
 		constexpr int POINTS = 16; // of an edge
 		float deepest = 0.0f;
@@ -216,7 +216,7 @@ struct BladeScene {
 		}
 		return deepest;
 	}
-	// How deep a knot is in a collider, metres: of the blades whose clamp no collider covers, since a covered blade
+	// Returns how deep a knot is in a collider, metres: of the blades whose clamp no collider covers, since a covered blade
 	// has nowhere to go.
 	float depth() const {
 		const std::vector<TileCollider> all = tile_colliders();

@@ -51,7 +51,7 @@ struct ElasticBlade {
 		}
 		return sum;
 	}
-	// The worst of the segments, shares of it.
+	// Returns the worst of the segments, shares of it.
 	double stretch() const {
 		double most = 0.0;
 		for (int s = 0; s < GRASS_SEGMENTS; s++) {
@@ -96,7 +96,7 @@ struct ElasticBlade {
 	}
 };
 
-// The energy at the blade's place of the step before: of the speed between the steps on both sides, and of its joints. J/kg.
+// Returns the energy at the blade's place of the step before: of the speed between the steps on both sides, and of its joints. J/kg.
 inline double energy_between(const ElasticBlade &p_before, const ElasticBlade &p_here, const ElasticBlade &p_after, double p_delta) {
 	ElasticBlade here = p_here;
 	for (int k = 0; k < GRASS_KNOTS; k++) {

@@ -125,7 +125,7 @@ struct FieldScene {
 			tick();
 		}
 	}
-	// The farthest that a knot of a tile is from where it is at rest, metres.
+	// Returns the farthest that a knot of a tile is from where it is at rest, metres.
 	double bend_of(int p_x, int p_z) {
 		const int slot = field.get_tiles().get_slot_of(setup.grid.get_index(p_x, p_z));
 		double most = 0.0;
@@ -141,7 +141,7 @@ struct FieldScene {
 	}
 };
 
-// A camera whose six planes hold nothing, or all, of the field.
+// Returns a camera whose six planes hold nothing, or all, of the field.
 inline FieldView make_view(bool p_sees) {
 	ViewCamera camera;
 	camera.planes.fill(Eigen::Vector4f(1.0f, 0.0f, 0.0f, p_sees ? 1000.0f : -1000.0f));

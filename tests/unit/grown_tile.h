@@ -16,7 +16,7 @@ inline std::shared_ptr<const Patch> shared_patch() {
 	return patch;
 }
 
-// The record of a tile of a field with a map that wakes in this step.
+// Returns the record of a tile of a field with a map that wakes in this step.
 inline GrassSlot fresh_slot(const TileGrid &p_grid, int p_x, int p_z, int p_slot = 0) {
 	GrassSlot slot;
 	slot.tile = { p_x, p_z, p_grid.get_index(p_x, p_z), p_slot };

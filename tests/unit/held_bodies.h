@@ -47,7 +47,7 @@ inline std::vector<Rest> make_rests() {
 	return rests;
 }
 
-// How high the centre of a shape is that stands on the ground.
+// Returns how high the centre of a shape is that stands on the ground.
 inline float half_height(const Rest &p_rest) {
 	const Eigen::Vector3f up = (p_rest.turn.conjugate() * Eigen::Vector3f::UnitY()).cwiseAbs();
 	switch (p_rest.shape) {
@@ -134,12 +134,12 @@ inline BladeScene make_held(const Rest &p_rest, float p_rate, const SolverParams
 
 inline constexpr float AT = 0.004f; // metres, the solver's skin
 
-// Whether the shape stands on the blade's root: its clamp, which cannot get out, is inside.
+// Returns whether the shape stands on the blade's root: its clamp, which cannot get out, is inside.
 inline bool is_buried(const BladeScene &p_scene, int p_blade) {
 	return p_scene.depth_in(p_scene.tile_colliders()[0], p_blade, 1) > AT;
 }
 
-// Whether the shape holds the blade: it is at the surface, and its clamp, which could not get out, is outside.
+// Returns whether the shape holds the blade: it is at the surface, and its clamp, which could not get out, is outside.
 inline bool is_held(const BladeScene &p_scene, int p_blade) {
 	const TileCollider collider = p_scene.tile_colliders()[0];
 	const Vec3<float> root = Vec3<float>{} - collider.centre;

@@ -10,7 +10,7 @@
 
 namespace grass::test {
 
-// How far a place is outside of all hulls; below 0: inside of one. Metres.
+// Returns how far a place is outside of all hulls; below 0: inside of one. Metres.
 inline double outside_of(const std::vector<Hull> &p_hulls, const Eigen::Vector3d &p_place) {
 	double least = std::numeric_limits<double>::infinity();
 	for (const Hull &hull : p_hulls) {

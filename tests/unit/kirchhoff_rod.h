@@ -42,7 +42,7 @@ struct KirchhoffRod {
 		y.frame = p_y.frame + p_slope.frame * p_way;
 		return y;
 	}
-	// The tip, where the moment at the root is p_moment.
+	// Returns the tip, where the moment at the root is p_moment.
 	State shoot(const Eigen::Vector3d &p_moment) const {
 		constexpr int STEPS = 400;
 		constexpr double H = 1.0 / STEPS;
@@ -81,7 +81,7 @@ struct KirchhoffRod {
 	}
 };
 
-// A rod that rests as an arc towards x, by p_turn radians from root to tip, with the section that [Eq 44] and [Eq 45] give a blade.
+// Returns a rod that rests as an arc towards x, by p_turn radians from root to tip, with the section that [Eq 44] and [Eq 45] give a blade.
 inline KirchhoffRod leaf(double p_turn, double p_taper, double p_wide, const Eigen::Vector3d &p_load) {
 	KirchhoffRod rod;
 	rod.curvature = [p_turn](double) { return Eigen::Vector3d(0.0, -p_turn, 0.0); };

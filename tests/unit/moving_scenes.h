@@ -62,7 +62,7 @@ public:
 		field.resume();
 		field.tick(*this, p_bodies, SCENE_TICK, p_forces);
 	}
-	// How far the knots of a slot are from where chains have them, metres: the farthest of each blade.
+	// Returns how far the knots of a slot are from where chains have them, metres: the farthest of each blade.
 	std::vector<float> apart(int p_slot) const {
 		std::vector<float> most(GRASS_BLADES_PER_TILE, 0.0f);
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
@@ -224,7 +224,7 @@ struct Changes {
 	float largest() const { return jumps.empty() ? 0.0f : *std::ranges::max_element(jumps); }
 };
 
-// A picture of 1080 lines, 75 degrees high.
+// Returns a picture of 1080 lines, 75 degrees high.
 inline FieldView player_view(const Eigen::Vector3f &p_eye) {
 	ViewCamera camera;
 	camera.planes.fill(Eigen::Vector4f(1.0f, 0.0f, 0.0f, 1000.0f));

@@ -151,7 +151,7 @@ inline bool are_same(const TileState &p_a, const TileState &p_b) {
 			std::memcmp(p_a.twist, p_b.twist, sizeof(p_a.twist)) == 0;
 }
 
-// The first step after which some version has other bits than scalar float; "" if all agree to the end.
+// Returns the first step after which some version has other bits than scalar float; "" if all agree to the end.
 inline std::string find_difference(uint32_t p_seed, Range p_range, int p_steps) {
 	RandomScene scene(p_seed, p_range);
 	TileState &scalar = scene.get_tile();

@@ -15,7 +15,7 @@ using namespace rolled;
 inline constexpr float ROLLED_RADIUS = 0.15f; // of the ball, metres
 inline constexpr float FARTHEST = 0.1f; // metres, of a root from the way of the ball's centre
 
-// Blades at every offset, on both sides of the ball's way. By turns one is straight, one leans and one is curved, to any side.
+// Returns blades at every offset, on both sides of the ball's way. By turns one is straight, one leans and one is curved, to any side.
 inline BladeScene make_rolled(const Roll &p_roll) {
 	BladeScene scene;
 	scene.params.width_to_thickness = p_roll.is_leaf ? WIDTH_TO_THICKNESS.initial : 1.0;
@@ -45,7 +45,7 @@ inline Look look_at_places(const BladeScene &p_scene) {
 	return look;
 }
 
-// The blades p_looks times a second while a ball rolls through them, and for as long after it as makes whole thirtieths.
+// Returns the blades p_looks times a second while a ball rolls through them, and for as long after it as makes whole thirtieths.
 inline std::vector<Look> roll_through(const Roll &p_roll, const Stepping &p_stepping, double p_looks) {
 	BladeScene scene = make_rolled(p_roll);
 	scene.params.iterations = p_stepping.iterations;
@@ -80,7 +80,7 @@ inline void add_errors(const std::vector<Look> &p_looks, const std::vector<Look>
 	}
 }
 
-// The error that the share p_share of them do not exceed.
+// Returns the error that the share p_share of them do not exceed.
 inline double pick(std::vector<double> p_errors, double p_share) {
 	const auto place = p_errors.begin() + ptrdiff_t(p_share * double(p_errors.size()));
 	std::nth_element(p_errors.begin(), place, p_errors.end());

@@ -19,11 +19,11 @@ inline bool is_slow() {
 	return std::getenv("GRASS_EMULATED") != nullptr;
 #endif
 }
-// A tenth of so many.
+// Returns a tenth of so many.
 inline int sampled(int p_count) {
 	return is_slow() ? (p_count + 9) / 10 : p_count;
 }
-// The first of these.
+// Returns the first of these.
 template <class Value, size_t Count> std::vector<Value> sampled(const Value (&p_values)[Count], size_t p_first = 1) {
 	return { p_values, p_values + (is_slow() && p_first < Count ? p_first : Count) };
 }

@@ -68,7 +68,7 @@ struct StrainScene {
 
 	Eigen::Vector3f offset(int p_blade, int p_knot) const { return knot(p_blade, p_knot) - blades.rest(p_blade, p_knot); }
 	Eigen::Vector3f knot(int p_blade, int p_knot) const { return blades.knot(p_blade, p_knot); }
-	// The largest of them, whatever it is of; NaN if one is.
+	// Returns the largest of them, whatever it is of; NaN if one is.
 	float largest_number() const {
 		float most = 0.0f;
 		for (const auto &row : blades.tile->strains) {

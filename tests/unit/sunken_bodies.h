@@ -46,7 +46,7 @@ inline std::vector<Sunken> make_sunken() {
 
 enum class Arrival { FALLS, APPEARS, SLIDES };
 
-// A body among blades at its place, which it came to as p_arrival says. p_patch: blades all over the tile; null: all on one root.
+// Returns a body among blades at its place, which it came to as p_arrival says. p_patch: blades all over the tile; null: all on one root.
 inline BladeScene make_sunk(const Sunken &p_body, Arrival p_arrival, const Patch *p_patch, float p_rate, unsigned p_seed, Method p_method) {
 	BladeScene scene(p_method);
 	for (int b = 0; p_patch != nullptr && b < GRASS_BLADES_PER_TILE; b++) {

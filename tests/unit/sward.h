@@ -61,7 +61,7 @@ inline Sward look_at(const std::vector<BladeScene> &p_scenes) {
 	return sward;
 }
 
-// The sward 30 times a second, while a ball of 15 cm rolls over the middle of its tiles at p_speed (m/s) and for a while after.
+// Returns the sward 30 times a second, while a ball of 15 cm rolls over the middle of its tiles at p_speed (m/s) and for a while after.
 inline std::vector<Sward> roll_over(float p_speed, double p_rate, double p_seconds, const std::function<void(BladeScene &)> &p_set_up) {
 	constexpr float RADIUS = 0.15f; // metres
 	std::vector<BladeScene> scenes = make_sward(p_set_up);

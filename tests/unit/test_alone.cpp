@@ -46,7 +46,7 @@ Eigen::Vector3f offset_of(const PoolScene &p_scene, int p_tile, int p_blade, int
 	return p_scene.pool.get_knots(p_tile, p_blade)[size_t(p_knot)] - p_scene.rest(p_tile, p_blade, p_knot);
 }
 
-// How far each blade's tip is from where it is in the other scene, metres, in ascending order.
+// Returns how far each blade's tip is from where it is in the other scene, metres, in ascending order.
 std::vector<float> tips_apart(const PoolScene &p_a, const PoolScene &p_b) {
 	return of_blades([&](int p_tile, int p_blade) { return (offset_of(p_a, p_tile, p_blade) - offset_of(p_b, p_tile, p_blade)).norm(); });
 }

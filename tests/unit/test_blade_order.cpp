@@ -19,7 +19,7 @@ std::vector<int> of_order(const BladeOrder &p_order) {
 	return { p_order.blades, p_order.blades + p_order.count };
 }
 
-// How many parts lanes take in all: a group takes those of each number that one of its blades has.
+// Returns how many parts lanes take in all: a group takes those of each number that one of its blades has.
 int count_parts(const std::vector<uint8_t> &p_work, const std::vector<int> &p_blades, int p_lanes) {
 	int sum = 0;
 	for (size_t first = 0; first < p_blades.size(); first += size_t(p_lanes)) {

@@ -25,7 +25,7 @@ ColliderShape make(int p_type, const Eigen::Vector3d &p_size) {
 	return shape;
 }
 
-// The reason for a refusal, or "" if the shape is taken.
+// Returns the reason for a refusal, or "" if the shape is taken.
 std::string refusal(ColliderShape p_shape) {
 	const char *reason = nullptr;
 	const bool is_good = p_shape.sanitise(reason);
@@ -38,7 +38,7 @@ Quaternion random_rotation(std::mt19937 &r_random) {
 	return Quaternion(normal(r_random), normal(r_random), normal(r_random), normal(r_random)).normalized();
 }
 
-// How far a place is outside of a hull about its origin; below 0: inside. Metres.
+// Returns how far a place is outside of a hull about its origin; below 0: inside. Metres.
 double outside_of(const std::vector<Eigen::Vector4f> &p_planes, const Eigen::Vector3d &p_place) {
 	double most = -INFINITE;
 	for (const Eigen::Vector4f &plane : p_planes) {

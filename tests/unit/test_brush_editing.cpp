@@ -36,7 +36,7 @@ Brush brush_of(MapTool p_tool, double p_target = 0.5) {
 	return brush;
 }
 
-// The channel's first component in the middle of a brush that was applied often.
+// Returns the channel's first component in the middle of a brush that was applied often.
 double painted(PaintMap &r_map, const Brush &p_brush, int p_times = 40) {
 	const Vector2d place(10.0, 10.0);
 	for (int i = 0; i < p_times; i++) {

@@ -25,7 +25,7 @@ void copy_without_calm(const BladeScene &p_from, BladeScene &r_to) {
 	r_to.planes = p_from.planes;
 }
 
-// A body of such a shape and a ball beside it, at rest among the blades for two seconds.
+// Returns a body of such a shape and a ball beside it, at rest among the blades for two seconds.
 BladeScene make_calm(const Sunken &p_body, const Patch &p_patch, float p_rate, unsigned p_seed) {
 	BladeScene scene = make_sunk(p_body, Arrival::FALLS, &p_patch, p_rate, p_seed, Method::PBD);
 	scene.add(GRASS_SPHERE, { 0.2f, 0.2f, -0.2f }, { 0.1f, 0.0f, 0.0f });

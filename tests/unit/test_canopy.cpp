@@ -33,8 +33,8 @@ struct CanopyScene {
 		return hidden_share(
 				field, [](const Eigen::Vector2f &) { return nullptr; }, p_from, p_to);
 	}
-	// The optical depth of all blades along a line through all of their height, for each metre of the line's way over the ground times a
-	// metre across it: what their segments, turned to all sides, show to the line. From the blades themselves.
+	// Returns the optical depth of all blades along a line through all of their height, for each metre of the line's way over the ground
+	// times a metre across it: what their segments, turned to all sides, show to the line. From the blades themselves.
 	double shown_area(const Eigen::Vector3d &p_line) const {
 		double area = 0.0;
 		constexpr int TILES = 8;

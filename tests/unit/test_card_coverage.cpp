@@ -21,7 +21,7 @@ std::vector<uint8_t> make_lines(int p_side, int p_gap) {
 	return rgba;
 }
 
-// The mean of each square of four.
+// Returns the mean of each square of four.
 std::vector<uint8_t> halved(const std::vector<uint8_t> &p_rgba, int p_side) {
 	std::vector<uint8_t> half;
 	for (int y = 0; y < p_side; y += 2) {

@@ -53,7 +53,7 @@ double elastica_drop(double p_gamma) {
 	return shoot(p_gamma, low).drop;
 }
 
-// A straight blade that a small load has bent, released, undamped.
+// Returns a straight blade that a small load has bent, released, undamped.
 ElasticBlade make_swinging(double p_frequency) {
 	ElasticBlade blade = ElasticBlade::straight();
 	blade.params.natural_frequency = p_frequency;
@@ -64,7 +64,7 @@ ElasticBlade make_swinging(double p_frequency) {
 	return blade;
 }
 
-// The error of the tip's place, metres, after a push of 0.4 s that swells and ebbs; p_push: its mean, m/s^2. (A blade that is
+// Returns the error of the tip's place, metres, after a push of 0.4 s that swells and ebbs; p_push: its mean, m/s^2. (A blade that is
 // let go all at once swings in modes too fast for any of these rates.)
 double error_of(double p_push, double p_rate) {
 	const auto tip = [&](double p_at) {
@@ -87,7 +87,7 @@ double order_of(double p_push) {
 constexpr std::pair<double, double> RATES[] = { { 0.6, 30.0 }, { 0.9, 30.0 }, { 1.2, 30.0 }, { 1.2, 60.0 }, { 1.9, 60.0 }, { 2.5, 144.0 },
 	{ 4.5, 144.0 } };
 
-// How far an energy rises above its least so far in p_steps steps, shares of p_first. p_next: takes a step and tells the energy.
+// Returns how far an energy rises above its least so far in p_steps steps, shares of p_first. p_next: takes a step and tells the energy.
 template <class Next> double most_growth(double p_first, int p_steps, const Next &p_next) {
 	double least = p_first, most = 0.0;
 	for (int i = 0; i < p_steps; i++) {

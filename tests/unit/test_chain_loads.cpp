@@ -53,7 +53,8 @@ void stand(ElasticBlade &r_blade, const std::function<Forces(const ElasticBlade 
 	}
 }
 
-// How far aside a cantilever under a tip load ends, shares of its length: theta'' = -p_load cos theta, level at the tip of no moment.
+// Returns how far aside a cantilever under a tip load ends, shares of its length: theta'' = -p_load cos theta, level at the tip of no
+// moment.
 double tip_load_drop(double p_load) {
 	constexpr int STEPS = 2000;
 	constexpr double H = 1.0 / STEPS;

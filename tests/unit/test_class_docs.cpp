@@ -26,7 +26,7 @@ std::string_view docs_of(std::string_view p_class) {
 	return {};
 }
 
-// The member's element with its text, or nothing.
+// Returns the member's element with its text, or nothing.
 std::string_view member_of(std::string_view p_docs, std::string_view p_name) {
 	const size_t begin = p_docs.find("<member name=\"" + std::string(p_name) + "\"");
 	if (begin == std::string_view::npos) {

@@ -123,7 +123,7 @@ TEST_CASE("Colliders with a number that is not finite, or without planes, are le
 
 namespace {
 
-// A collider of p_shape somewhere near the origin, at rest or on its way, and turning.
+// Returns a collider of p_shape somewhere near the origin, at rest or on its way, and turning.
 TileCollider make_moving(int p_shape, std::mt19937 &r_random) {
 	std::uniform_real_distribution<float> share(-1.0f, 1.0f);
 	const auto vector = [&](float p_size) {

@@ -16,7 +16,7 @@ namespace {
 const Eigen::Vector3f SIZE(0.15f, 0.12f, 0.1f); // metres
 const Eigen::Vector3f FORWARD = Eigen::Vector3f::UnitX();
 
-// The lowest height at which the shape stands on the ground.
+// Returns the lowest height at which the shape stands on the ground.
 float standing_height(int p_shape) {
 	return p_shape == GRASS_SPHERE ? SIZE.x() : p_shape == GRASS_CAPSULE ? SIZE.x() + SIZE.y() : SIZE.y();
 }

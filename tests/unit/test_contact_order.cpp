@@ -39,7 +39,7 @@ BladeScene make_rows(bool p_has_leaves) {
 	return scene;
 }
 
-// The knots of all blades 60 times a second, metres, while a ball rolls past at p_speed and for a while after.
+// Returns the knots of all blades 60 times a second, metres, while a ball rolls past at p_speed and for a while after.
 std::vector<Eigen::Vector3f> roll_past(float p_speed, double p_rate, int p_iterations, double p_seconds, bool p_has_leaves = false) {
 	BladeScene scene = make_rows(p_has_leaves);
 	scene.params.iterations = p_iterations;
@@ -74,7 +74,7 @@ double difference(const std::vector<Eigen::Vector3f> &p_a, const std::vector<Eig
 	return std::sqrt(sum / double(p_a.size())) / 0.5;
 }
 
-// The same of the median blade alone.
+// Returns the same of the median blade alone.
 double median_difference(const std::vector<Eigen::Vector3f> &p_a, const std::vector<Eigen::Vector3f> &p_b) {
 	REQUIRE(p_a.size() == p_b.size());
 	constexpr size_t IN_FRAME = GRASS_BLADES_PER_TILE * GRASS_FREE_KNOTS;
@@ -93,7 +93,7 @@ struct Beside {
 	float height, gap; // of its centre, and from the plane, metres
 };
 
-// How far a shape of make_size() reaches along a direction of its own axes, metres.
+// Returns how far a shape of make_size() reaches along a direction of its own axes, metres.
 Eigen::Vector3f make_size(int p_shape) {
 	return p_shape == GRASS_SPHERE ? Eigen::Vector3f(RADIUS, 0.0f, 0.0f) : Eigen::Vector3f(0.12f, 0.16f, 0.1f);
 }
@@ -111,7 +111,7 @@ float reach(int p_shape, const Eigen::Vector3f &p_along) {
 	}
 }
 
-// How far the tip of the straight blade swings in the fourth second, undamped.
+// Returns how far the tip of the straight blade swings in the fourth second, undamped.
 float swing(float p_rate, const Beside *p_body) {
 	BladeScene scene;
 	scene.params.damping_ratio = 0.0;

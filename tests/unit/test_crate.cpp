@@ -12,7 +12,7 @@ using namespace grass::test;
 
 namespace {
 
-// Blades of the patch, all over a tile.
+// Returns blades of the patch, all over a tile.
 BladeScene make_tile(const Patch &p_patch, int p_first) {
 	BladeScene scene;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {

@@ -42,7 +42,8 @@ GrassCollider &add(BladeScene &r_scene, const Sharp &p_sharp, const Eigen::Vecto
 
 constexpr float HEIGHT = 0.27f; // of what passes, metres
 
-// How many blades cross HEIGHT near the middle of what came along there, more than 2 cm behind it at p_x: it did not take them along.
+// Returns how many blades cross HEIGHT near the middle of what came along there, more than 2 cm behind it at p_x: it did not take them
+// along.
 int count_behind(const BladeScene &p_scene, float p_x) {
 	int count = 0;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {

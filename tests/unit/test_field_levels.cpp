@@ -30,7 +30,7 @@ CullField make_field(double p_side, float p_length = 0.4f) {
 	return { TileGrid::make(p_side, p_side, 256.0), 0.4f, p_length, { 0.006f, 0.8f * p_length }, 7, { 1u << 20, 1u << 20 } };
 }
 
-// A camera of 1080 lines that looks at a place, 75 degrees high and wide.
+// Returns a camera of 1080 lines that looks at a place, 75 degrees high and wide.
 ViewCamera make_camera(const Eigen::Vector3f &p_eye, const Eigen::Vector3f &p_at) {
 	const Eigen::Vector3f ahead = (p_at - p_eye).normalized(), right = ahead.cross(Eigen::Vector3f(0.01f, 1.0f, 0.02f)).normalized(),
 						  up = right.cross(ahead);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int ALL = GRASS_BLADES_PER_TILE, TIP = GRASS_KNOTS - 1;
 
-// A record for the scene's first tile: of its blades, the first p_simulated are simulated, and those up to p_drawn follow.
+// Returns a record for the scene's first tile: of its blades, the first p_simulated are simulated, and those up to p_drawn follow.
 GrassSlot follower(const PoolScene &p_scene, int p_simulated, int p_drawn, float p_share = 1.0f) {
 	GrassSlot record = p_scene.slots[0];
 	record.blend = { p_share, float(ALL - p_drawn), float(ALL - p_simulated), float(ALL - p_simulated) };

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int TIP = GRASS_KNOTS - 1;
 
-// A direction that leans by p_lean towards p_bearing, radians: 0 is along x.
+// Returns a direction that leans by p_lean towards p_bearing, radians: 0 is along x.
 Eigen::Vector3d leaning(double p_lean, double p_bearing) {
 	return { std::sin(p_lean) * std::cos(p_bearing), std::cos(p_lean), std::sin(p_lean) * std::sin(p_bearing) };
 }
@@ -78,7 +78,7 @@ ElasticBlade make_loaded(const Shape &p_shape, double p_gamma, int p_axis) {
 	}
 	return blade;
 }
-// All knots, six times a second.
+// Returns all knots, six times a second.
 std::vector<Eigen::Vector3d> path_of(ElasticBlade p_blade, double p_rate, double p_seconds) {
 	std::vector<Eigen::Vector3d> path;
 	for (int i = 1; i <= int(p_seconds * p_rate); i++) {
@@ -105,7 +105,8 @@ double distance_from_rest(const ElasticBlade &p_blade) {
 	return most;
 }
 
-// All knots, six times a second, for a second and a half from rest on, under a load that is there for a quarter of a second of every half.
+// Returns all knots, six times a second, for a second and a half from rest on, under a load that is there for a quarter of a second of
+// every half.
 std::vector<Eigen::Vector3d> gusty_path_of(const Shape &p_shape, double p_gamma, double p_rate) {
 	ElasticBlade blade = along(p_shape.way);
 	blade.params.damping_ratio = 0.2;

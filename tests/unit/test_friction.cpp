@@ -13,7 +13,7 @@ using namespace grass::test;
 
 namespace {
 
-// The force at the tip that holds a blade as it stands, in any unit: of all joints' moments, by least squares.
+// Returns the force at the tip that holds a blade as it stands, in any unit: of all joints' moments, by least squares.
 Eigen::Vector3d find_tip_force(const BladeScene &p_scene, int p_blade) {
 	Blade<double> blade;
 	for (int k = 0; k < GRASS_KNOTS; k++) {

@@ -72,7 +72,7 @@ struct RoughTerrain {
 	}
 };
 
-// How far the ground of a map is from the terrain, metres, at places where it has all heights around; ascending.
+// Returns how far the ground of a map is from the terrain, metres, at places where it has all heights around; ascending.
 std::vector<double> errors_of(const RoughTerrain &p_terrain, const std::function<double(const Eigen::Vector2d &)> &p_ground) {
 	const HeightSheet exact = p_terrain.sheet(GroundGrid());
 	std::mt19937 random(7);

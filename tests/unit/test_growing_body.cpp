@@ -21,7 +21,7 @@ float size_at(double p_time) {
 	return FIRST + (1.0f - FIRST) * float(std::min(p_time / SECONDS, 1.0));
 }
 
-// The blades 60 times a second while a body beside them grows, and for a while after that.
+// Returns the blades 60 times a second while a body beside them grows, and for a while after that.
 std::vector<Look> grow_among(int p_shape, float p_friction, const Stepping &p_stepping) {
 	BladeScene scene = make_rolled({ 1.0f, true, p_friction });
 	scene.params.iterations = p_stepping.iterations;

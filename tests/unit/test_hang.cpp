@@ -41,7 +41,7 @@ double length_of(const Patch &p_patch, int p_blade) {
 	return length;
 }
 
-// The mean tip of all blades, as shares of their lengths.
+// Returns the mean tip of all blades, as shares of their lengths.
 Eigen::Vector3d mean_tip(const Patch &p_patch) {
 	Eigen::Vector3d sum = Eigen::Vector3d::Zero();
 	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {

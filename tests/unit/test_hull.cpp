@@ -33,7 +33,7 @@ Points make_ball(int p_count, double p_radius) {
 	return points;
 }
 
-// How far p_point (in the points' space) is outside of the hull; negative inside. Metres.
+// Returns how far p_point (in the points' space) is outside of the hull; negative inside. Metres.
 double depth_outside(const Hull &p_hull, const Eigen::Vector3d &p_point) {
 	double outside = -1e300;
 	for (const Eigen::Vector4f &plane : p_hull.planes) {

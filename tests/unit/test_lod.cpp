@@ -17,7 +17,7 @@ namespace {
 const BladeSize BLADE{ 0.015f, 0.5f };
 constexpr float PIXEL_SLOPE = 0.00142f; // metres in a pixel a metre away: 1080 lines, 75 degrees
 
-// What a tile needs at p_distance.
+// Returns what a tile needs at p_distance.
 LodNeed need_at(const LodParams &p_params, float p_distance) {
 	LodNeed need;
 	need.add(p_params, BLADE, p_distance, 0.05f, PIXEL_SLOPE * p_distance);

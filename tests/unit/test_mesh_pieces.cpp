@@ -43,7 +43,7 @@ Corners make_box(const Eigen::Vector3d &p_low, const Eigen::Vector3d &p_high) {
 	return corners;
 }
 
-// A curved sheet over the square from (-1, -1) to (1, 1) times p_size.
+// Returns a curved sheet over the square from (-1, -1) to (1, 1) times p_size.
 Corners make_waves(double p_size) {
 	constexpr int STEPS = 24;
 	const auto at = [p_size](int p_x, int p_z) {
@@ -59,7 +59,7 @@ Corners make_waves(double p_size) {
 	return corners;
 }
 
-// A tube of 0.12 around a trefoil knot, 2 m wide.
+// Returns a tube of 0.12 around a trefoil knot, 2 m wide.
 Corners make_knot() {
 	constexpr int AROUND = 8, ALONG = 96;
 	constexpr double TURN = 2.0 * std::numbers::pi;

@@ -25,7 +25,7 @@ ColliderShape solid(int p_type, const Eigen::Vector3d &p_size, const Eigen::Vect
 	return shape;
 }
 
-// A box's faces as a hull.
+// Returns a box's faces as a hull.
 ColliderShape hull(const Eigen::Vector3d &p_half, const Eigen::Vector3d &p_place) {
 	ColliderShape shape = solid(GRASS_HULL, p_half, p_place);
 	for (int axis = 0; axis < 3; axis++) {

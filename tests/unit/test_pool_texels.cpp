@@ -49,7 +49,7 @@ struct TexelScene {
 	}
 };
 
-// The farthest that a row is from the mix of two others, metres and radians.
+// Returns the farthest that a row is from the mix of two others, metres and radians.
 float distance_to_mix(const Row &p_row, const Row &p_before, const Row &p_after, float p_share) {
 	float most = 0.0f;
 	for (size_t i = 0; i < p_row.size(); i++) {

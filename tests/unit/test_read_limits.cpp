@@ -24,7 +24,7 @@ const MapCodec COUNTING{ pack_runs, [](std::span<const uint8_t> p_packed, std::s
 							return unpack_runs(p_packed, r_bytes);
 						} };
 
-// A map of p_side x p_side chunks in a corner of its reach: a texel of each channel p_channels in each of them.
+// Returns a map of p_side x p_side chunks in a corner of its reach: a texel of each channel p_channels in each of them.
 PaintMap wide_map(int p_side, uint32_t p_channels) {
 	PaintMap map, one;
 	for (int channel = 0; channel < MAP_CHANNELS; channel++) {

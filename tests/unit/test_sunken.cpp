@@ -38,7 +38,7 @@ void add_to(Around &r_sum, const Around &p_one) {
 	r_sum.covered_sunk += p_one.covered_sunk;
 }
 
-// All bodies at all of RATES, on one root and on many. Each comes in another way than its neighbours and than at the next rate.
+// Returns all bodies at all of RATES, on one root and on many. Each comes in another way than its neighbours and than at the next rate.
 // GRASS_SUNKEN_DRAW=N in the environment draws other places: the marks below hold from draw to draw, not of one.
 // Checks what holds of both methods.
 Around look_around_all(Method p_method) {

@@ -12,7 +12,7 @@ using namespace grass;
 
 namespace {
 
-// A camera at p_eye that looks along -z, 90 degrees high and wide.
+// Returns a camera at p_eye that looks along -z, 90 degrees high and wide.
 Frustum make_frustum(const Eigen::Vector3f &p_eye, float p_near, float p_far) {
 	const float s = std::sqrt(0.5f);
 	const Eigen::Vector3f normals[] = { { 0, 0, 1 }, { 0, 0, -1 }, { s, 0, s }, { -s, 0, s }, { 0, s, s }, { 0, -s, s } };

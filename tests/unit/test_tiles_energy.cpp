@@ -23,7 +23,7 @@ TileManager make_energy_manager(int p_pool_size = 64) {
 	return manager;
 }
 
-// The tile of a ball that was there in one step, and has gone.
+// Returns the tile of a ball that was there in one step, and has gone.
 TileManager make_left_tile() {
 	TileManager manager = make_energy_manager();
 	step(manager, { make_ball(manager, 3) });

@@ -16,7 +16,7 @@ namespace {
 constexpr double HALF_LENGTH = 100.0, HALF_WIDTH = 20.0; // metres, of a ship
 constexpr double STEP = 0.2; // metres that it sails in a step
 
-// Tiles of half a metre, with blades that lean out of them.
+// Returns tiles of half a metre, with blades that lean out of them.
 TileManager make_sea(int p_pool_size) {
 	TileManager manager = make_manager(p_pool_size, TileGrid::make(300.0, 300.0, 256.0));
 	TileParams params = manager.get_params();
@@ -36,7 +36,7 @@ ColliderShape make_ship(double p_angle, double p_way = 0.0) {
 	return ship;
 }
 
-// The same with a bow, from a third of its length on.
+// Returns the same with a bow, from a third of its length on.
 ColliderShape make_pointed_ship(double p_angle) {
 	ColliderShape ship = make_ship(p_angle);
 	ship.type = GRASS_HULL;

@@ -12,7 +12,7 @@ using namespace grass::test;
 
 namespace {
 
-// A flat box over the whole field and more.
+// Returns a flat box over the whole field and more.
 ColliderShape make_lid(double p_half_size) {
 	ColliderShape lid;
 	lid.type = GRASS_BOX;

@@ -26,7 +26,7 @@ struct StillScene {
 		manager.set_params(params);
 	}
 
-	// Whether the tile is simulated in the next step, of a quarter of a second.
+	// Returns whether the tile is simulated in the next step, of a quarter of a second.
 	bool is_simulated() {
 		const int records = step(manager, balls);
 		CHECK(manager.get_statistics().awake == 1);

@@ -55,7 +55,7 @@ std::vector<Eigen::Vector3f> blade_of(const Patch &p_patch, int p_blade) {
 	return knots;
 }
 
-// The knots as the blade shader bends them.
+// Returns the knots as the blade shader bends them.
 std::vector<Eigen::Vector3f> bend(const std::vector<Eigen::Vector3f> &p_knots, const WindParams &p_wind, float p_time) {
 	std::vector<Eigen::Vector3f> bent(p_knots.size());
 	for (size_t k = 0; k < p_knots.size(); k++) {

@@ -13,7 +13,7 @@ namespace grass::test {
 
 constexpr double QUARTER = 0.25; // seconds; sums of it are exact
 
-// Blades that do not lean out of their tile, put to sleep by the timer.
+// Returns blades that do not lean out of their tile, put to sleep by the timer.
 inline TileManager make_manager(int p_pool_size, const TileGrid &p_grid) {
 	TileManager manager;
 	manager.set_grid(p_grid);
@@ -25,12 +25,12 @@ inline TileManager make_manager(int p_pool_size, const TileGrid &p_grid) {
 	return manager;
 }
 
-// A field of 40 x 40 tiles of 0.5 m.
+// Returns a field of 40 x 40 tiles of 0.5 m.
 inline TileManager make_manager(int p_pool_size = 64) {
 	return make_manager(p_pool_size, TileGrid::make(20.0, 20.0, 256.0));
 }
 
-// A ball well inside of one tile, resting.
+// Returns a ball well inside of one tile, resting.
 inline ColliderShape make_ball(const TileManager &p_manager, int p_x, int p_z = 0) {
 	ColliderShape ball;
 	ball.size.x() = 0.1;

@@ -17,7 +17,7 @@ API = BUILD / "api"
 
 
 def made(precision="single"):
-	"""The folder of the binding's generated part."""
+	"""Returns the folder of the binding's generated part."""
 	return BUILD / ("binding_double" if precision == "double" else "binding")
 
 
@@ -71,7 +71,7 @@ def prepare(env, godot):
 
 
 def include_folders():
-	"""The include paths of the binding, or of the godot-cpp that GODOT_CPP names."""
+	"""Returns the include paths of the binding, or of the godot-cpp that GODOT_CPP names."""
 	upstream = os.environ.get("GODOT_CPP")
 	folders = [f"{upstream}/{folder}" for folder in ("include", "gen/include", "gdextension")] if upstream else None
 	return folders or [ROOT / "extension/binding/include", made() / "include", API]

@@ -33,7 +33,7 @@ def scons(*arguments):
 
 
 def library(system, arch, given):
-	"""The path of the library that SCons builds with these options."""
+	"""Returns the path of the library that SCons builds with these options."""
 	kind, precision, threads = given.get("target", "debug"), given.get("precision", "single"), given.get("threads", "yes") == "yes"
 	folder, own = names.folder(system, arch, threads), "-double" if precision == "double" else ""
 	quick, symbols = (given.get(option) == "yes" for option in ("quick", "symbols"))

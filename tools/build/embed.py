@@ -32,7 +32,7 @@ def literal(text):
 
 
 def flatten(path, folders, seen=None):
-	"""The text of `path` with each `#include "x"` replaced by the file, once. Looks beside the file, then in `folders`."""
+	"""Returns the text of `path` with each `#include "x"` replaced by the file, once. Looks beside the file, then in `folders`."""
 	path = pathlib.Path(path).resolve()
 	seen = seen if seen is not None else {path}
 

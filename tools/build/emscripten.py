@@ -23,7 +23,7 @@ CACHE = '{cache}'
 
 
 def compiler():
-	"""The path of em++: that of the EMSDK that the environment names, the machine's, or the fetched one. None if there is none."""
+	"""Returns the path of em++: that of the EMSDK that the environment names, the machine's, or the fetched one. None if there is none."""
 	own = pathlib.Path(os.environ.get("EMSDK", "/nowhere")) / "upstream/emscripten/em++"
 	fetched = FETCHED / "share/emscripten/em++"
 	found = str(own) if own.exists() else shutil.which("em++")
@@ -37,7 +37,7 @@ def ensure():
 
 
 def environment():
-	"""What the fetched compiler finds its parts by. Empty for another one, which knows them."""
+	"""Returns what the fetched compiler finds its parts by. Empty for another one, which knows them."""
 	if not compiler().startswith(str(FETCHED)):
 		return {}
 	version = max(path.name.rpartition("-")[2] for path in FETCHED.glob("lib/llvm-*"))

@@ -14,25 +14,25 @@ PROGRAMS = {"windows": ".exe", "web": ".js"}  # suffixes of programs, where they
 
 
 def folder(system, arch, threads=True):
-	"""The folder of objects and programs: for this machine it is build/ itself."""
+	"""Returns the folder of objects and programs: for this machine it is build/ itself."""
 	return BUILD if (system, arch) == HERE else BUILD / f"{system}_{arch}{'' if threads else '_nothreads'}"
 
 
 def program(system, arch, name, threads=True):
-	"""The path of a program, such as host/host."""
+	"""Returns the path of a program, such as host/host."""
 	return folder(system, arch, threads) / f"{name}{PROGRAMS.get(system, '')}"
 
 
 def flavour(system, arch, kind="debug", precision="single", threads=True):
-	"""The part of a library's name that says what it is for. `threads`: of the engine; only Web has one without."""
+	"""Returns the part of a library's name that says what it is for. `threads`: of the engine; only Web has one without."""
 	return f"{system}.template_{kind}{'.double' if precision == 'double' else ''}.{arch}{'' if threads else '.nothreads'}"
 
 
 def has_symbols(system, arch):
-	"""Whether its libraries come with symbols that can be split off: those that GCC makes."""
+	"""Returns whether its libraries come with symbols that can be split off: those that GCC makes."""
 	return system == "linux" or (system, arch) == ("windows", "x86_64")
 
 
 def library(system, *more, **options):
-	"""The name of the library's file, for what flavour() takes."""
+	"""Returns the name of the library's file, for what flavour() takes."""
 	return f"libgrass_field.{flavour(system, *more, **options)}.{SUFFIXES[system]}"

@@ -17,7 +17,7 @@ ADVICE = {
 
 
 def ndk():
-	"""The folder of the NDK that the environment names, or the newest of the SDK that it names. None if there is none."""
+	"""Returns the folder of the NDK that the environment names, or the newest of the SDK that it names. None if there is none."""
 	if named := os.environ.get("ANDROID_NDK_ROOT"):
 		return pathlib.Path(named)
 	found = pathlib.Path(os.environ.get("ANDROID_HOME", "/nowhere")).glob("ndk/*/toolchains")

@@ -55,17 +55,17 @@ def has_threads(env):
 
 
 def folder(env):
-	"""The folder of objects, from the project's."""
+	"""Returns the folder of objects, from the project's."""
 	return names.folder(env["platform"], env["arch"], has_threads(env)).relative_to(ROOT).as_posix()
 
 
 def generated(env):
-	"""The folder of compute_shaders.gen.h. Where there are no compute passes it comes before build/gen, which has them."""
+	"""Returns the folder of compute_shaders.gen.h. Where there are no compute passes it comes before build/gen, which has them."""
 	return "build/gen" if PLATFORMS[env["platform"]].has_compute else "build/gen/without_compute"
 
 
 def flavour(env, of=names.flavour):
-	"""The part of a library's name that says what it is for; of names.library: the whole name."""
+	"""Returns the part of a library's name that says what it is for; of names.library: the whole name."""
 	return of(env["platform"], env["arch"], env["target"], env["precision"], has_threads(env))
 
 

@@ -126,7 +126,7 @@ class Reader:
 		return letter if words[0] == 32 else f"{letter}{words[0]}"
 
 	def layout(self, kind):
-		"""(bytes, alignment) of a type by the rules of std430, by which Vulkan counts shared memory as well."""
+		"""Returns (bytes, alignment) of a type by the rules of std430, by which Vulkan counts shared memory as well."""
 		operation, words = self.types[kind]
 		if operation == "TypeBool":
 			return 4, 4
@@ -150,7 +150,7 @@ def up(size, alignment):
 
 
 def read(words):
-	"""The Module of a pass's words."""
+	"""Returns the Module of a pass's words."""
 	return Reader(words).module
 
 

@@ -20,12 +20,12 @@ class Rule:
 
 
 def others(known, of):
-	"""A check that refuses names that are not `known`. `of` returns a module's names."""
+	"""Returns a check that refuses names that are not `known`. `of` returns a module's names."""
 	return lambda module: ", ".join(sorted({name for name in of(module) if name not in known}))
 
 
 def at_most(limit, of):
-	"""A check that refuses a number above `limit`."""
+	"""Returns a check that refuses a number above `limit`."""
 	return lambda module: str(of(module)) if of(module) > limit else ""
 
 
@@ -100,6 +100,6 @@ RULES = (
 
 
 def broken(module):
-	"""The demands of a pass that are not allowed, as texts that begin with the rule's name."""
+	"""Returns the demands of a pass that are not allowed, as texts that begin with the rule's name."""
 	found = ((rule, rule.found(module)) for rule in RULES)
 	return [f"{rule.name}: {what} (allowed: {rule.allowed}). {rule.driver}: {rule.reason}." for rule, what in found if what]

@@ -12,7 +12,7 @@ GENERATED = "build/binding_surface/surface_generated.cpp"
 
 
 def objects(env, variant, godot):
-	"""The objects of the surface files; they are compiled, never linked."""
+	"""Returns the objects of the surface files; they are compiled, never linked."""
 	binding.dump_api(godot)
 	scripts = [str(HERE / name) for name in ("generated.py", "members.py")]
 	inputs = [str(binding.API / "extension_api.json"), str(binding.HERE / "classes.json"), str(binding.HERE / "include")]

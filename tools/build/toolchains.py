@@ -27,14 +27,14 @@ MINGW = "x86_64-w64-mingw32"
 
 
 def tool(*names):
-	"""The path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
+	"""Returns the path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
 	folders = (CROSS.place / "usr/bin", CROSS.place / "usr/lib/wine", RISCV.place / "usr/bin")
 	fetched = (folder / name for name in names for folder in folders)
 	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
 
 
 def compiler(system, arch):
-	"""The C++ compiler that makes programs for `system` and `arch`. None if it is not fetched yet, or cannot be."""
+	"""Returns the C++ compiler that makes programs for `system` and `arch`. None if it is not fetched yet, or cannot be."""
 	if (system, arch) == HERE:
 		return machine.compiler()
 	if system == "windows" and arch == "x86_64":
@@ -54,12 +54,12 @@ def compiler(system, arch):
 
 
 def is_clang(command):
-	"""Whether a compiler takes clang's flags."""
+	"""Returns whether a compiler takes clang's flags."""
 	return bool(re.search(r"clang|/zig c\+\+|em\+\+", command or ""))
 
 
 def glibc(arch):
-	"""The folder of the glibc that libraries for Linux are linked against. None if it is missing."""
+	"""Returns the folder of the glibc that libraries for Linux are linked against. None if it is missing."""
 	place = GLIBC[arch].place if arch in GLIBC else pathlib.Path()
 	return place if arch in GLIBC and (place / f"usr/lib/{GNU[arch]}/libc.so").exists() else None
 
@@ -76,7 +76,7 @@ def can_link_old_glibc(system, arch):
 
 
 def needs(system, arch):
-	"""The needs that machine.ensure() has to find to build for `system` and `arch`."""
+	"""Returns the needs that machine.ensure() has to find to build for `system` and `arch`."""
 	found = []
 	packages = {
 		("windows", "x86_64"): ("g++-mingw-w64-x86-64-posix", CROSS),
@@ -122,7 +122,7 @@ def clang_for_arm64():
 
 
 def clang_sanitizer():
-	"""The address sanitizer's library of clang. None if it is missing."""
+	"""Returns the address sanitizer's library of clang. None if it is missing."""
 	if not clang():
 		return None
 	folder = subprocess.run([clang(), "-print-runtime-dir"], capture_output=True, text=True).stdout.strip()

@@ -85,7 +85,7 @@ def constant(names):
 
 
 def own_names(text):
-	"""What a text defines in its anonymous namespaces."""
+	"""Returns what a text defines in its anonymous namespaces."""
 	names = set()
 	for block in ANONYMOUS.findall(text):
 		for line in filter(NAMES.match, block.splitlines()):

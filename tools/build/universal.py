@@ -11,7 +11,7 @@ PROCESSORS = {"x86_64": (0x01000007, 3), "arm64": (0x0100000C, 0)}  # type and s
 
 
 def is_ours(system, arch):
-	"""Whether this build joins the libraries of both processors: a toolchain of the user's makes one file in one go."""
+	"""Returns whether this build joins the libraries of both processors: a toolchain of the user's makes one file in one go."""
 	return (system, arch) == ("macos", "universal") and HERE[0] != "macos" and not os.environ.get("CXX")
 
 

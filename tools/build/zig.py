@@ -15,12 +15,12 @@ CACHE = TOOLS / "zig_cache"
 
 
 def is_for(system, arch):
-	"""Whether it builds for `system` and `arch`, if the user names no toolchain of his own."""
+	"""Returns whether it builds for `system` and `arch`, if the user names no toolchain of his own."""
 	return (system, arch) in TARGETS and not os.environ.get("CXX")
 
 
 def compiler(system, arch):
-	"""The command. None if it is not fetched yet."""
+	"""Returns the command. None if it is not fetched yet."""
 	return f"{ZIG}/ziglang/zig c++ -target {TARGETS[system, arch]}" if (ZIG / "ziglang/zig").exists() else None
 
 

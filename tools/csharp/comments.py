@@ -18,7 +18,7 @@ class Linker:
 		self.classes = {made.name: made for made in classes}
 
 	def target(self, kind, path, here):
-		"""What a link such as [method GrassField.cut] names in C#; "" if it is none of our classes."""
+		"""Returns what a link such as [method GrassField.cut] names in C#; "" if it is none of our classes."""
 		owner, _, name = path.rpartition(".")
 		made = self.classes.get(owner or here.name)
 		if made is None:
@@ -50,11 +50,11 @@ class Linker:
 		return TAG.sub(one, escape(text))
 
 	def plain(self, text):
-		"""A text in which the names of C# stand without links."""
+		"""Returns a text in which the names of C# stand without links."""
 		return TAG.sub(lambda match: names.pascal(match[2]) if match[2] else match[3] or "", text)
 
 	def comment(self, text, here, tag="summary"):
-		"""The lines of a comment, without their indentation."""
+		"""Returns the lines of a comment, without their indentation."""
 		paragraphs = [line.strip() for line in CODE.sub("\n", text).splitlines() if line.strip()]
 		if not paragraphs:
 			return []

@@ -23,7 +23,7 @@ def camel(name):
 
 
 def enum(made, name):
-	"""The name of an enum of the class `made`."""
+	"""Returns the name of an enum of the class `made`."""
 	taken = {pascal(member.name) for member in (*made.members, *made.methods, *made.signals)}
 	return f"{name}Enum" if name in taken else name
 

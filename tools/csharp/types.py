@@ -92,7 +92,7 @@ class Types:
 		return Type(f"Godot.Collections.Array<{name}>", f"{{0}}.AsGodotArray<{name}>()")
 
 	def param(self, value):
-		"""(declaration, argument) of a method's parameter."""
+		"""Returns (declaration, argument) of a method's parameter."""
 		kind, name = self.of(value), names.camel(value.name)
 		if value.default is None:
 			return f"{kind.name} {name}", kind.into.format(name)
@@ -101,7 +101,7 @@ class Types:
 		return f"{kind.name} {name} = {self.constant(value, kind)}", kind.into.format(name)
 
 	def constant(self, value, kind):
-		"""A default as C# writes it."""
+		"""Returns a default as C# writes it."""
 		text = value.default
 		if value.enum:
 			return f"({kind.name}){text}"

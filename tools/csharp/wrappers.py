@@ -84,12 +84,12 @@ class Writer:
 		return [*self.comment(constant.text), f"public const long {names.pascal(constant.name)} = {constant.value};"]
 
 	def cached(self, title, members):
-		"""A class with the names of members, as Godot's own classes have it: text becomes a StringName once."""
+		"""Returns a class with the names of members, as Godot's own classes have it: text becomes a StringName once."""
 		named = [f'    public static readonly StringName {names.pascal(member.name)} = "{member.name}";' for member in members]
 		return ["/// <summary>Names for the engine.</summary>", f"public static class {title}", "{", *named, "}"] if named else []
 
 	def obsolete(self, member):
-		"""The attribute of an old name: the compiler warns of its use."""
+		"""Returns the attribute of an old name: the compiler warns of its use."""
 		return [f'[System.Obsolete("{self.linker.plain(member.deprecated)}")]'] if member.deprecated else []
 
 	def member(self, member):
@@ -150,7 +150,7 @@ class Writer:
 
 
 def same_names(made):
-	"""Names that two members of a class would have in C#."""
+	"""Returns names that two members of a class would have in C#."""
 	taken = [names.pascal(member.name) for member in (*made.members, *made.methods, *made.signals)]
 	taken += [names.enum(made, name) for name in made.enums]
 	return sorted({name for name in taken if taken.count(name) > 1})

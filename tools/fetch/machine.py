@@ -24,20 +24,20 @@ GODOT_MINIMUM = (4, 6)
 
 
 def unpacked(path):
-	"""A file of the fetched packages, or None."""
+	"""Returns a file of the fetched packages, or None."""
 	file = UNPACKED / path
 	return file if file.exists() else None
 
 
 def program(*names):
-	"""The path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
+	"""Returns the path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
 	fetched = (UNPACKED / "usr/bin" / name for name in names)
 	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
 
 
 @functools.cache
 def godot_version(executable):
-	"""The version of a Godot executable, such as (4, 6, 3). None if it does not run or is not Godot."""
+	"""Returns the version of a Godot executable, such as (4, 6, 3). None if it does not run or is not Godot."""
 	try:
 		answer = subprocess.run([executable, "--version"], capture_output=True, text=True, timeout=60).stdout
 	except (OSError, subprocess.TimeoutExpired):
@@ -67,7 +67,7 @@ def godot():
 
 
 def scons():
-	"""(command, environment additions) that runs SCons."""
+	"""Returns (command, environment additions) that runs SCons."""
 	if importlib.util.find_spec("SCons"):
 		return [sys.executable, "-m", "SCons"], {}
 	if found := shutil.which("scons"):
@@ -79,7 +79,7 @@ def scons():
 
 
 def header_folder(header, *folders):
-	"""The folder to put on the include path so that `header` is found: the machine's first."""
+	"""Returns the folder to put on the include path so that `header` is found: the machine's first."""
 	candidates = [pathlib.Path(top) / folder for top in ("/usr/local", "/opt/homebrew", "/usr", UNPACKED / "usr") for folder in folders]
 	return next((str(folder) for folder in candidates if (folder / header).is_file()), None)
 
@@ -101,19 +101,19 @@ def compiler():
 
 
 def display():
-	"""Whether there is a screen for a window."""
+	"""Returns whether there is a screen for a window."""
 	return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def vulkan_drivers():
-	"""The system's Vulkan driver descriptions, as (of GPUs, of software)."""
+	"""Returns the system's Vulkan driver descriptions, as (of GPUs, of software)."""
 	files = [file for top in ("/etc", "/usr/share", "/usr/local/share") for file in pathlib.Path(top, "vulkan/icd.d").glob("*.json")]
 	software = [file for file in files if file.name.startswith("lvp")]
 	return [file for file in files if file not in software], software
 
 
 def gpu():
-	"""Whether there is a GPU that Vulkan can use."""
+	"""Returns whether there is a GPU that Vulkan can use."""
 	cards = [*pathlib.Path("/dev/dri").glob("renderD*"), *pathlib.Path("/dev").glob("nvidia[0-9]*")]
 	return bool(cards and vulkan_drivers()[0])
 

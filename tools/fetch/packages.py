@@ -70,7 +70,7 @@ def apt_get(root, *arguments, cwd=None):
 
 
 def mirror():
-	"""The address of the Debian mirror that this machine uses, or that GRASS_DEBIAN_MIRROR names."""
+	"""Returns the address of the Debian mirror that this machine uses, or that GRASS_DEBIAN_MIRROR names."""
 	if named := os.environ.get("GRASS_DEBIAN_MIRROR"):
 		return named
 	if not shutil.which("apt-get") or not shutil.which("dpkg-deb"):
@@ -173,7 +173,7 @@ def merge_status(status, entries):
 
 
 def version(package, root):
-	"""The version of an unpacked package; "" if it is not unpacked."""
+	"""Returns the version of an unpacked package; "" if it is not unpacked."""
 	text = (root.place / STATUS).read_text() if (root.place / STATUS).exists() else ""
 	entry = re.search(rf"^Package: {re.escape(package)}\n.*?^Version: (\S+)$", text, re.MULTILINE | re.DOTALL)
 	return entry[1] if entry else ""

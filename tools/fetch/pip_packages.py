@@ -12,7 +12,7 @@ from tools.say import Failure, progress
 
 
 def pip():
-	"""(command, environment additions) that runs pip."""
+	"""Returns (command, environment additions) that runs pip."""
 	if importlib.util.find_spec("pip"):
 		return [sys.executable, "-m", "pip"], {}
 	packages = machine.unpacked("usr/lib/python3/dist-packages")

@@ -27,7 +27,7 @@ SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to 
 
 
 def through_loader(root, program):
-	"""The command that runs `program` with the loader in `root`."""
+	"""Returns the command that runs `program` with the loader in `root`."""
 	library_path = ":".join(f"{root}/{LIBRARIES}{folder}" for folder in FOLDERS)
 	return [f"{root}/{LIBRARIES}/{LOADER}", "--library-path", library_path, str(program)]
 
@@ -114,7 +114,7 @@ def check():
 
 
 def environment():
-	"""Environment additions that replace what the system of a bare machine lacks."""
+	"""Returns environment additions that replace what the system of a bare machine lacks."""
 	stand_ins = (("FONTCONFIG_PATH", "etc/fonts"), ("XLOCALEDIR", "usr/share/X11/locale"))
 	lacking = [(name, folder) for name, folder in stand_ins if not os.path.isdir("/" + folder) and (UNPACKED / folder).is_dir()]
 	return {name: str(UNPACKED / folder) for name, folder in lacking}

@@ -17,7 +17,7 @@ LOADS = {"script": "src", "img": "src", "link": "href", "source": "src", "iframe
 
 
 def slug(heading, taken):
-	"""The anchor that a forge gives a heading."""
+	"""Returns the anchor that a forge gives a heading."""
 	text = re.sub(r"[^\w\- ]", "", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()).strip().replace(" ", "-")
 	taken[text] = taken.get(text, -1) + 1
 	return f"{text}-{taken[text]}" if taken[text] else text
@@ -30,7 +30,7 @@ def anchors(path):
 
 
 def wrong_in_page(path):
-	"""What is wrong with the links of a Markdown page: a list of texts."""
+	"""Returns what is wrong with the links of a Markdown page: a list of texts."""
 	wrong = []
 	for target in LINK.findall(CODE.sub("", path.read_text())):
 		if "://" in target or target.startswith("mailto:"):
@@ -66,7 +66,7 @@ class Page(html.parser.HTMLParser):
 
 
 def wrong_in_site(site):
-	"""What is wrong with a built site: links and anchors that lead nowhere, and anything that is not part of it."""
+	"""Returns what is wrong with a built site: links and anchors that lead nowhere, and anything that is not part of it."""
 	pages = {file: Page(file.read_text()) for file in sorted(site.rglob("*.html"))}
 	wrong = [] if pages else [f"{site} has no page"]
 	for file, page in pages.items():

@@ -34,7 +34,7 @@ def row(result):
 
 
 def table(folder=FOLDER):
-	"""The table of the results in a folder. Those that software drew, or a part of the benchmark, are left out."""
+	"""Returns the table of the results in a folder. Those that software drew, or a part of the benchmark, are left out."""
 	results = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
 	rows = [row(result) for result in results if result["share"] == 1 and result["machine"]["kind"] not in ("none", "software")]
 	return "\n".join(grid(HEAD, rows)[1:-1]) if rows else NONE
@@ -45,7 +45,7 @@ def page(text):
 
 
 def wrong():
-	"""What is wrong with the page, or \"\"."""
+	"""Returns what is wrong with the page, or ""."."""
 	text = PAGE.read_text()
 	return "" if text == page(text) and TABLE.search(text) else "run `python3 -m tools.pages.machines_page`"
 

@@ -17,7 +17,7 @@ def page(text):
 
 
 def wrong():
-	"""What is wrong with the page, or ""."""
+	"""Returns what is wrong with the page, or ""."""
 	text = PAGE.read_text()
 	return "" if has_table(text, "rules") and text == page(text) else "run `python3 -m tools.pages.rules_page`"
 

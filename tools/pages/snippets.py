@@ -44,7 +44,7 @@ class Block:
 
 
 def pages():
-	"""Every Markdown page that is kept up to date: not those of the history."""
+	"""Returns every Markdown page that is kept up to date: not those of the history."""
 	return [*sorted(ROOT.glob("*.md")), *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.parent.name != "history")]
 
 
@@ -100,7 +100,7 @@ def with_tabs(text):
 
 
 def script(block):
-	"""The block as a script. Statements become the function run(), which leaves what they declare in `locals`."""
+	"""Returns the block as a script. Statements become the function run(), which leaves what they declare in `locals`."""
 	text = with_tabs(block.text)
 	if MEMBER.search(text):
 		header = "" if re.search(r"^extends ", text, re.MULTILINE) else STAGE

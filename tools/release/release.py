@@ -43,7 +43,7 @@ class Target:
 
 	@property
 	def tags(self):
-		"""Those of its lines in the .gdextension, but debug and release."""
+		"""Returns those of its lines in the .gdextension, but debug and release."""
 		arch = "" if self.arch == "universal" else f".{self.arch}"
 		return f"single{'.threads' if self.system == 'web' and self.threads else ''}{arch}"
 
@@ -53,7 +53,7 @@ class Target:
 
 	@property
 	def options(self):
-		"""Those that build it."""
+		"""Returns those that build it."""
 		of_web = [f"threads={'yes' if self.threads else 'no'}"] if self.system == "web" else []
 		return [f"platform={self.system}", f"arch={self.arch}", f"target={self.kind}", *of_web]
 
@@ -73,7 +73,7 @@ TARGETS = (*(Target(system, arch, "release") for system, arch in SHIPPED), Targe
 
 
 def chosen(only):
-	"""Those of TARGETS that `only` names by their beginnings, between commas: linux.x86_64, windows."""
+	"""Returns those of TARGETS that `only` names by their beginnings, between commas: linux.x86_64, windows."""
 	parts = [part.strip() for part in only.split(",")]
 	for part in parts:
 		if not any(f"{target}.".startswith(f"{part}." if part else "") for target in TARGETS):
@@ -86,7 +86,7 @@ def version():
 
 
 def git(*arguments):
-	"""The output of git for this folder, whoever owns it. Empty if it is no repository."""
+	"""Returns the output of git for this folder, whoever owns it. Empty if it is no repository."""
 	if not (ROOT / ".git").exists() or not shutil.which("git"):
 		return ""
 	result = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
@@ -137,7 +137,7 @@ def gdextension(libraries):
 
 
 def files_in(folder, *left_out):
-	"""Path in the project -> bytes, of every file in a folder of the project."""
+	"""Returns path in the project -> bytes, of every file in a folder of the project."""
 	found = {}
 	for path in sorted(folder.rglob("*")):
 		name = path.relative_to(PROJECT).as_posix()
@@ -147,7 +147,7 @@ def files_in(folder, *left_out):
 
 
 def addon(libraries):
-	"""Path -> bytes of the add-on with `libraries`, paths of files."""
+	"""Returns path -> bytes of the add-on with `libraries`, paths of files."""
 	place = ADDON.relative_to(PROJECT).as_posix()
 	files = files_in(ADDON, f"{place}/bin/")
 	files[f"{place}/grass_field.gdextension"] = gdextension([path.name for path in libraries]).encode()
@@ -157,7 +157,7 @@ def addon(libraries):
 
 
 def demo():
-	"""Path -> bytes of the demo's project without the add-on: without tests."""
+	"""Returns path -> bytes of the demo's project without the add-on: without tests."""
 	project = (PROJECT / "project.godot").read_text()
 	project = re.sub(r"^run/main_scene\.tests=.*\n", "", project, flags=re.MULTILINE)
 	return {**files_in(PROJECT / "demo"), "project.godot": project.encode(), "LICENSE": (ROOT / "LICENSE").read_bytes()}
@@ -175,7 +175,7 @@ def write_zip(path, files):
 
 
 def sizes(path):
-	"""Rows of a table: bytes, unpacked and in the zip, of each library in the add-on's zip and of each folder beside them."""
+	"""Returns rows of a table: bytes, unpacked and in the zip, of each library in the add-on's zip and of each folder beside them."""
 	sums = {}
 	with zipfile.ZipFile(path) as file:
 		for entry in file.infolist():

@@ -53,7 +53,7 @@ def eigen():
 
 
 def runtimes(target):
-	"""The parts of a compiler that are linked into a library."""
+	"""Returns the parts of a compiler that are linked into a library."""
 	if zig.is_for(target.system, target.arch) or universal.is_ours(target.system, target.arch):
 		pinned = re.search(r"^ziglang==(\S+)", (ROOT / "tools/build/zig_requirements.txt").read_text(), re.MULTILINE)[1]
 		runtime = Part("libc++ of zig", pinned, "Apache-2.0 WITH LLVM-exception", "LLVM contributors")
@@ -78,7 +78,7 @@ def together(licences):
 
 
 def entry(name, data, parts):
-	"""A file of the zip."""
+	"""Returns a file of the zip."""
 	return {
 		"SPDXID": f"SPDXRef-File-{hashlib.sha256(name.encode()).hexdigest()[:16]}",
 		"fileName": f"./{name}",
@@ -93,7 +93,7 @@ def entry(name, data, parts):
 
 
 def addon(name, version, archive, files):
-	"""The package of the add-on itself. `archive`: the zip's bytes; `files`: its entries."""
+	"""Returns the package of the add-on itself. `archive`: the zip's bytes; `files`: its entries."""
 	sums = sorted(file["checksums"][0]["checksumValue"] for file in files)
 	return {
 		"SPDXID": "SPDXRef-GrassField",

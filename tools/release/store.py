@@ -21,7 +21,7 @@ def page():
 
 
 def changes(version):
-	"""What CHANGELOG.md says about a version; of one that has no entry yet, what is unreleased."""
+	"""Returns what CHANGELOG.md says about a version; of one that has no entry yet, what is unreleased."""
 	parts = re.split(r"^## ", (ROOT / "CHANGELOG.md").read_text(), flags=re.MULTILINE)[1:]
 	texts = {re.match(r"\[?([\w.]+)", part)[1]: part.partition("\n")[2].strip() + "\n" for part in parts}
 	return texts.get(version) or texts.get("Unreleased", "")
@@ -33,7 +33,7 @@ def is_picture(path):
 
 
 def wrong(told=None):
-	"""What of the rules the page breaks, or "". `told`: another page, for a test of this one."""
+	"""Returns what of the rules the page breaks, or "". `told`: another page, for a test of this one."""
 	told = told or page()
 	licence = (ROOT / "LICENSE").read_text()
 	oldest = re.search(r'compatibility_minimum = "(.+)"', (ADDON / "grass_field.gdextension").read_text())[1]
@@ -63,7 +63,7 @@ def wrong(told=None):
 
 
 def wrong_or_blind():
-	"""The same; and that each of these faults is found."""
+	"""Returns the same; and that each of these faults is found."""
 	told = page()
 	faults = {
 		"slug": "Grass Field",

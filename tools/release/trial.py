@@ -36,7 +36,7 @@ def unpack(archive, project, sample=True):
 
 
 def seen(said):
-	"""What the sample scene tells: version, renderer, blades, bend, bits. Raises Failure if it does not."""
+	"""Returns what the sample scene tells: version, renderer, blades, bend, bits. Raises Failure if it does not."""
 	found = SEEN.search(said)
 	if not found:
 		raise Failure(f"The scene did not tell what it saw: {said[-1000:]}")
@@ -44,7 +44,7 @@ def seen(said):
 
 
 def engine():
-	"""The path of the engine."""
+	"""Returns the path of the engine."""
 	named = os.environ.get("GODOT") or next(filter(None, map(shutil.which, ("godot", "godot4"))), None)
 	if not named or not shutil.which(named):
 		raise Failure(f"There is no engine to try it in ({named or 'none is on the path'}): name one, GODOT=/path/to/godot.")
@@ -52,7 +52,7 @@ def engine():
 
 
 def run(*command):
-	"""The output of an engine that ends well. Raises Failure otherwise."""
+	"""Returns the output of an engine that ends well. Raises Failure otherwise."""
 	try:
 		result = subprocess.run(
 			list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", timeout=LIMIT
@@ -66,7 +66,7 @@ def run(*command):
 
 
 def find(archive):
-	"""The add-on's zip: `archive` itself, or the one in that folder."""
+	"""Returns the add-on's zip: `archive` itself, or the one in that folder."""
 	path = pathlib.Path(archive).resolve()
 	if path.is_dir():
 		zips = [found for found in path.glob("grass_field-*.zip") if re.fullmatch(r"grass_field-[\d.]+\.zip", found.name)]

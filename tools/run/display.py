@@ -33,7 +33,7 @@ def server_command(number_pipe, size):
 
 
 def server_environment():
-	"""Environment of the X server: a fetched one finds no OpenGL drivers in the system's folder."""
+	"""Returns environment of the X server: a fetched one finds no OpenGL drivers in the system's folder."""
 	drivers = UNPACKED / settle.LIBRARIES / "dri"
 	fetched = str(UNPACKED) in machine.x_server() and drivers.is_dir()
 	return {**os.environ, "LIBGL_DRIVERS_PATH": str(drivers)} if fetched else None

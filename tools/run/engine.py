@@ -21,13 +21,13 @@ HOME = BUILD / "home" / os.environ.get("GRASS_HOME", "")  # the engine's setting
 
 
 def private_home():
-	"""Environment additions that keep the engine out of the user's own settings. What software Vulkan compiled, all homes share."""
+	"""Returns environment additions that keep the engine out of the user's own settings. What software Vulkan compiled, all homes share."""
 	homes = {f"XDG_{kind}_HOME": str(HOME / kind.lower()) for kind in ("DATA", "CONFIG", "CACHE")}
 	return {**homes, "MESA_SHADER_CACHE_DIR": str(BUILD / "home/mesa")}
 
 
 def software_vulkan():
-	"""(command prefix, environment additions) that run the engine on lavapipe."""
+	"""Returns (command prefix, environment additions) that run the engine on lavapipe."""
 	driver = machine.software_vulkan()
 	if driver.suffix == ".json":  # the system's
 		return [], {"VK_DRIVER_FILES": str(driver)}
@@ -61,7 +61,7 @@ def window(method="forward_plus", size="1280x720", software=False, hardware=Fals
 
 
 def headless():
-	"""(command, environment additions) of an engine without a window and without a GPU."""
+	"""Returns (command, environment additions) of an engine without a window and without a GPU."""
 	return [machine.godot(), "--headless"], {}
 
 
@@ -118,7 +118,7 @@ def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT, 
 
 
 def project_state(project):
-	"""The files on which the engine's import depends: every source file of a project, by time and size."""
+	"""Returns the files on which the engine's import depends: every source file of a project, by time and size."""
 	parts = []
 	for folder, folders, names in os.walk(project):
 		folders[:] = sorted(name for name in folders if name not in (".godot", "bin"))

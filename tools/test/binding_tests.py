@@ -26,7 +26,7 @@ class Skip(str):
 
 
 def run(only):
-	"""(names of passed checks, names and reasons of failed ones, names and reasons of skipped ones)."""
+	"""Returns (names of passed checks, names and reasons of failed ones, names and reasons of skipped ones)."""
 	parts = (*compiled(), *complete(), *working(), *elsewhere(), *in_double())
 	results = {name: reason for name, reason in parts if only in name}
 	for name, reason in results.items():

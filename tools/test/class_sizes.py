@@ -25,13 +25,13 @@ DEFINED = re.compile(r"^(?=[\w~:])[^\n(]*?\b(\w+)::(?:~?\w+|operator[^\n(]+)\(",
 
 
 def code_lines(text):
-	"""How many lines of C++ are neither blank nor only comment."""
+	"""Returns how many lines of C++ are neither blank nor only comment."""
 	code = COMMENT.sub(lambda found: found[0] if found[0][0] == '"' else "\n" * found[0].count("\n"), text)
 	return sum(1 for line in code.split("\n") if line.strip())
 
 
 def sizes():
-	"""Lines of code by header, of those headers that declare classes."""
+	"""Returns lines of code by header, of those headers that declare classes."""
 	texts = {
 		path.relative_to(ROOT).as_posix(): path.read_text()
 		for kind in ("h", "cpp")
@@ -48,7 +48,7 @@ def sizes():
 
 
 def wrong_size(name, size):
-	"""What is wrong with a size, or ""."""
+	"""Returns what is wrong with a size, or ""."""
 	most = LARGER.get(name, LIMIT)
 	if name not in LARGER:
 		return f"{name} with its sources has {size} lines of code, {most} at most: look for a second class in it" if size > most else ""
@@ -58,7 +58,7 @@ def wrong_size(name, size):
 
 
 def wrong():
-	"""What is wrong with the sizes, or ""."""
+	"""Returns what is wrong with the sizes, or ""."""
 	found = sizes()
 	lines = [wrong_size(name, size) for name, size in found.items()]
 	lines += [f"tools/test/class_sizes.py lists {name}, which declares no class" for name in LARGER if name not in found]

@@ -26,7 +26,7 @@ FLAGS = ("-langversion:7.2", "-warnaserror", f"-nowarn:{NO_COMMENT}", "-nologo",
 
 
 def mono(program):
-	"""The command that runs a C# program, one of the fetched compiler's by its name. None if it is not there yet."""
+	"""Returns the command that runs a C# program, one of the fetched compiler's by its name. None if it is not there yet."""
 	place = CSHARP.place
 	if not (place / "usr/bin/mono-sgen").exists():
 		return None
@@ -38,7 +38,7 @@ COMPILER = (lambda: mono("mcs.exe"), ("mono-mcs",), CSHARP)
 
 
 def run(command):
-	"""(exit code, output) of a C# program."""
+	"""Returns (exit code, output) of a C# program."""
 	libraries = CSHARP.place / "usr/lib"
 	configuration = (CSHARP.place / "etc/mono/config").read_text().replace("$mono_libdir", str(libraries))  # would name the machine's own
 	(MADE / "mono").mkdir(exist_ok=True)
@@ -57,7 +57,7 @@ def compile(out, *sources):
 
 
 def engine_classes(classes):
-	"""The engine's classes that `classes` mention, and their ancestors, as C#."""
+	"""Returns the engine's classes that `classes` mention, and their ancestors, as C#."""
 	api = json.loads((BUILD / "api/extension_api.json").read_text())
 	parents = {made["name"]: made.get("inherits", "") for made in api["classes"]}
 	values = [value for made in classes for value in made.members]
@@ -82,7 +82,7 @@ def make():
 
 
 def registered():
-	"""What the library registers with the engine, by class: tests/csharp/list_classes.gd."""
+	"""Returns what the library registers with the engine, by class: tests/csharp/list_classes.gd."""
 	command, environment = engine.headless()
 	said = []
 	engine.run([*command, "--path", str(PROJECT), "--script", str(HERE / "list_classes.gd")], environment, said.append, LIMIT)

@@ -27,7 +27,7 @@ EQUATION = re.compile(r"\[Eq \w+\]|\$[^$`\n]+\$|\$\$")
 
 
 def wrong_command(command, layers):
-	"""What is wrong with a `./grass ...` that a page names, or "". The user replaces words such as LAYER.
+	"""Returns what is wrong with a `./grass ...` that a page names, or "". The user replaces words such as LAYER.
 	`layers`: names of the layers of tests."""
 
 	words = shlex.split(re.sub(r"[\[\]]|\.\.\.", "", command), comments=True)[1:]
@@ -47,7 +47,7 @@ def commands(path, layers):
 
 
 def wrong_workflow(path, layers):
-	"""What is wrong with the `./grass` commands of a workflow."""
+	"""Returns what is wrong with the `./grass` commands of a workflow."""
 	found = re.findall(r"^\s*(?:- )?(?:run: )?(\./grass .*)$", path.read_text(), re.MULTILINE)
 	return "; ".join(filter(None, (wrong_command(command, layers) for command in found)))
 
@@ -96,7 +96,7 @@ def wrong_main_loop(block):
 
 
 def wrong_checks(blocks):
-	"""Checks, headers and skips of blocks that no longer exist."""
+	"""Returns checks, headers and skips of blocks that no longer exist."""
 	known = {block.key for block in blocks}
 	texts = [(PROJECT / "tests/docs" / name).read_text() for name in ("guides.gd", "classes.gd")]
 	checks = [name for text in texts for name in re.findall(r"^func (\w+)\(\) -> void:", text, re.MULTILINE)]
@@ -105,7 +105,7 @@ def wrong_checks(blocks):
 
 
 def wrong_guide():
-	"""Pages of the guide with an equation: those are for docs/internals."""
+	"""Returns pages of the guide with an equation: those are for docs/internals."""
 	wrong = []
 	for path in sorted((ROOT / "docs/guide").glob("*.md")):
 		found = EQUATION.search(links.CODE.sub("", path.read_text()))
@@ -114,7 +114,7 @@ def wrong_guide():
 
 
 def wrong_navigation():
-	"""Pages that the site's navigation does not name: the site itself is not built by tests."""
+	"""Returns pages that the site's navigation does not name: the site itself is not built by tests."""
 	docs = ROOT / "docs"
 	named = (ROOT / "tools/pages/site/mkdocs.yml").read_text().partition("\nnav:\n")[2]
 	pages = [page.relative_to(docs) for page in sorted(docs.rglob("*.md"))]

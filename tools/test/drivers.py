@@ -37,7 +37,7 @@ BEHAVIOUR = {
 
 
 def build():
-	"""Environment additions that put the layer below the engine."""
+	"""Returns environment additions that put the layer below the engine."""
 	FOLDER.mkdir(parents=True, exist_ok=True)
 	library = FOLDER / "libgrass_drivers.so"
 	sources = sorted(map(str, SOURCES.glob("*.cpp")))
@@ -56,7 +56,7 @@ def build():
 
 
 def pictures(method, name, environment, more=()):
-	"""({picture: its bytes}, the number that a shader reads for the first instance of a draw call that begins at 5)."""
+	"""Returns ({picture: its bytes}, the number that a shader reads for the first instance of a draw call that begins at 5)."""
 	folder = FOLDER / f"{method}_{name}"
 	folder.mkdir(parents=True, exist_ok=True)
 	for old in folder.glob("*.png"):
@@ -73,7 +73,7 @@ def pictures(method, name, environment, more=()):
 
 
 def drawing_shaders(method):
-	"""The SPIR-V of the vertex and fragment shaders that the renderer makes for the scene's fields: files, NUMBER.STAGE.spv."""
+	"""Returns the SPIR-V of the vertex and fragment shaders that the renderer makes for the scene's fields: files, NUMBER.STAGE.spv."""
 	folder = FOLDER / f"{method}_spirv"
 	shutil.rmtree(folder, ignore_errors=True)
 	folder.mkdir(parents=True)

@@ -19,13 +19,13 @@ LITERALS = re.compile(r'(?:"(?:[^"\\\n]|\\.)*"\s*)+$')  # before a literal: thos
 
 
 def without_comments(source):
-	"""The source with its comments blanked out, so that lines keep their numbers."""
+	"""Returns the source with its comments blanked out, so that lines keep their numbers."""
 	kept = re.compile(r'"(?:[^"\\\n]|\\.)*"|' + r"'(?:[^'\\\n]|\\.)*'|//[^\n]*|/\*.*?\*/", re.DOTALL)
 	return kept.sub(lambda found: found[0] if found[0][0] in "\"'" else re.sub(r"[^\n]", " ", found[0]), source)
 
 
 def wrong_in(source, is_core):
-	"""Numbers of lines with such texts, each with what is wrong. `is_core`: of the core, which knows no String."""
+	"""Returns numbers of lines with such texts, each with what is wrong. `is_core`: of the core, which knows no String."""
 	source = without_comments(source)
 	found = []
 	for literal in LITERAL.finditer(source):
@@ -40,7 +40,7 @@ def wrong_in(source, is_core):
 
 
 def check():
-	"""What is wrong in the extension's sources, as texts."""
+	"""Returns what is wrong in the extension's sources, as texts."""
 	wrong = []
 	for path in sorted((ROOT / "extension").rglob("*")):
 		if path.suffix in (".h", ".hpp", ".cpp", ".inc"):

@@ -34,7 +34,7 @@ TEXT = re.compile(r"""(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ]
 
 
 def sources(kind):
-	"""The paths of all files of a kind."""
+	"""Returns the paths of all files of a kind."""
 	found = [path for path in ROOT.iterdir() if path.suffix in KINDS[kind]]
 	for folder in FOLDERS:
 		for place, folders, names in os.walk(ROOT / folder):
@@ -44,7 +44,7 @@ def sources(kind):
 
 
 def clang_format():
-	"""The path of a clang-format of the right version, the machine's or the fetched one. None if there is neither."""
+	"""Returns the path of a clang-format of the right version, the machine's or the fetched one. None if there is neither."""
 	fetched = CROSS.place / f"usr/bin/clang-format-{CLANG}"
 	for found in filter(None, (shutil.which(f"clang-format-{CLANG}"), shutil.which("clang-format"), fetched.exists() and str(fetched))):
 		said = subprocess.run([found, "--version"], capture_output=True, text=True).stdout
@@ -75,7 +75,7 @@ def run(command, paths):
 
 
 def named(said, paths):
-	"""Those of `paths` that a formatter's output names."""
+	"""Returns those of `paths` that a formatter's output names."""
 	return [path for path in map(lambda path: str(path.relative_to(ROOT)), paths) if re.search(rf"(?<![\w/]){re.escape(path)}\b", said)]
 
 
@@ -91,7 +91,7 @@ def formatters():
 
 
 def too_wide(path):
-	"""The numbers of lines that are too wide. String literals do not count: a message is easier to find in one piece."""
+	"""Returns the numbers of lines that are too wide. String literals do not count: a message is easier to find in one piece."""
 
 	def width(line):
 		return len((line if line.lstrip().startswith('"""') else TEXT.sub('""', line)).expandtabs(TAB))
@@ -100,7 +100,7 @@ def too_wide(path):
 
 
 def plain_wrong(path):
-	"""What is wrong with the spaces and the width of a source, as texts."""
+	"""Returns what is wrong with the spaces and the width of a source, as texts."""
 	lines = path.read_text().split("\n")
 	wrong = [f"{number}: ends with a space" for number, line in enumerate(lines, 1) if line != line.rstrip()]
 	wrong += [f"{number}: indented with spaces" for number, line in enumerate(lines, 1) if re.match(r" +[^ *]", line)]
@@ -109,7 +109,7 @@ def plain_wrong(path):
 
 
 def check(kind):
-	"""The files of a kind that `./grass format` would change, and lines that it cannot fix, as texts."""
+	"""Returns the files of a kind that `./grass format` would change, and lines that it cannot fix, as texts."""
 	paths = sources(kind)
 	if kind == "shaders":
 		return [f"{path.relative_to(ROOT)}:{text}" for path in paths for text in plain_wrong(path)]
@@ -122,7 +122,7 @@ def check(kind):
 
 
 def lint():
-	"""The output of ruff for the Python sources."""
+	"""Returns the output of ruff for the Python sources."""
 	said, good = run(
 		[str(PACKAGES / "bin/ruff"), "check", "--output-format=concise"], [path.relative_to(ROOT) for path in sources("python")]
 	)

@@ -73,25 +73,25 @@ def headers():
 
 
 def engine_classes():
-	"""The engine's classes that the extension uses."""
+	"""Returns the engine's classes that the extension uses."""
 	return json.loads((EXTENSION / "binding/classes.json").read_text())["enabled_classes"]
 
 
 def names_in(line):
-	"""Names that a line declares: of pointers, or what follows the type of a list of them."""
+	"""Returns names that a line declares: of pointers, or what follows the type of a list of them."""
 	of_lists = line.rpartition(">")[2] if "<" in line else ""
 	declared = of_lists.split(",") if of_lists else [part for part in line.split(",") if "*" in part or "&" in part]
 	return [LAST_WORD.search(part)[1] for part in declared]
 
 
 def pointers(text, classes):
-	"""Names of what is declared in `text` with a type that points or refers to an object of one of `classes`."""
+	"""Returns names of what is declared in `text` with a type that points or refers to an object of one of `classes`."""
 	points = re.compile(rf"\b(?:{'|'.join(classes)})(?: const)? [*&]")
 	return [name for line in DECLARATION.findall(INITIAL.sub("", text)) if points.search(line) for name in names_in(line)]
 
 
 def wrong():
-	"""What is wrong, or ""."""
+	"""Returns what is wrong, or ""."""
 	texts = dict(headers())
 	classes = [*engine_classes(), *(name for text in texts.values() for name in OWN_CLASS.findall(text))]
 	found = {(path, name) for path, text in texts.items() for name in pointers(text, classes)}

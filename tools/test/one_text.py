@@ -16,7 +16,7 @@ def names(folder, pattern, suffixes):
 
 
 def stated_twice():
-	"""What is wrong, or "": the constants and their files."""
+	"""Returns what is wrong, or "": the constants and their files."""
 	shaders = names("shaders", IN_SHADERS, (".inc", ".glsl", ".gdshader", ".gdshaderinc"))
 	cpp = names("extension/core", IN_CPP, (".h", ".cpp"))
 	if not shaders or not cpp:

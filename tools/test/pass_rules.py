@@ -17,7 +17,7 @@ def file_of(rule):
 
 
 def refused_for(source):
-	"""Names of the rules that a pass breaks."""
+	"""Returns names of the rules that a pass breaks."""
 	target = "vulkan1.2" if "target vulkan1.2" in source.read_text() else "vulkan1.1"
 	made = BUILD / "pass_rules" / f"{source.stem}.spv"
 	return [

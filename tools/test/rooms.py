@@ -38,7 +38,7 @@ def includes(folder, root, kinds, skipped=()):
 
 
 def imports():
-	"""The other rooms of tools/ that the Python modules in each room import, and `cli`, which none may import."""
+	"""Returns the other rooms of tools/ that the Python modules in each room import, and `cli`, which none may import."""
 	folder, found = ROOT / "tools", {}
 	rooms = {path.name for path in folder.iterdir() if (path / "__init__.py").is_file()}
 	for path in sorted(folder.rglob("*.py")):
@@ -51,7 +51,7 @@ def imports():
 
 
 def wrong_rows(told, real):
-	"""What is wrong with a table."""
+	"""Returns what is wrong with a table."""
 	wrong, below = [], set()
 	for room, said in told.items():
 		if room not in real:
@@ -67,7 +67,7 @@ def wrong_rows(told, real):
 
 
 def wrong():
-	"""What is wrong with the tables, or ""."""
+	"""Returns what is wrong with the tables, or ""."""
 	extension, shaders = ROOT / "extension", ROOT / "shaders"
 	rooms = (
 		includes(extension, extension, ("h", "cpp"), ("binding", "old_glibc")),

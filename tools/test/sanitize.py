@@ -37,12 +37,12 @@ IN_ENGINE = "detect_leaks=0:handle_segv=2:verify_asan_link_order=0:alloc_dealloc
 
 
 def reports_in(text):
-	"""The reports that sanitizers wrote, one text for each."""
+	"""Returns the reports that sanitizers wrote, one text for each."""
 	return [report.strip() for report in STARTS.split(text) if STARTS.match(report)]
 
 
 def headline(report):
-	"""The error of a report, and its stack, the innermost places first."""
+	"""Returns the error of a report, and its stack, the innermost places first."""
 	what = re.sub(r"^=+\d+=+|\(pid=\d+\)| (?:on address|at pc) 0x.*", "", report.splitlines()[0]).strip()
 	places = [place.strip() for place in re.findall(r"^\s+#\d+ (?:0x[0-9a-f]+ in )?(.*)$", report, re.MULTILINE)]
 	return " < ".join([what, *places[:SAID_FIRST]])
@@ -53,7 +53,7 @@ def failures(name, said):
 
 
 def of_core(program, option, only):
-	"""Tests of the core, with the sanitizers of `option`."""
+	"""Returns tests of the core, with the sanitizers of `option`."""
 	folder = f"{'stress' if program == 'stress' else 'unit'}-{option.removeprefix('sanitize=').replace(',', '-')}"
 	said = []
 	went = test_runs.core(program, only, [str(BUILD / folder / f"{program}_tests")], OPTIONS, said=said, slow=True)
@@ -73,7 +73,7 @@ def copy_project():
 
 
 def preload():
-	"""The library that is loaded into the engine before everything else."""
+	"""Returns the library that is loaded into the engine before everything else."""
 	compiler = machine.compiler()
 	if "clang" in compiler:
 		raise Failure("The extension under sanitizers needs g++: clang links a sanitizer into programs, not into libraries.")
@@ -89,7 +89,7 @@ def preload():
 
 
 def in_engine(layer, started, only, may_be_none):
-	"""A layer's tests in the engine, with the sanitized extension."""
+	"""Returns a layer's tests in the engine, with the sanitized extension."""
 	command, environment = started
 	said, title = [], f"sanitize, {layer}"
 	environment = {**environment, **OPTIONS, **preload(), "ASAN_OPTIONS": IN_ENGINE}

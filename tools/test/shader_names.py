@@ -34,20 +34,20 @@ def all_included(path, texts, found=None):
 
 
 def read_by_cpp(texts):
-	"""The files that C++ compiles."""
+	"""Returns the files that C++ compiles."""
 	sources = [path for kind in ("h", "cpp") for path in (ROOT / "extension").rglob(f"*.{kind}")]
 	first = {path for source in sources for path in included(source.read_text())}
 	return first.union(*(all_included(path, texts) for path in first))
 
 
 def declared(head):
-	"""Names in the sentences of a file's head that say what its shader declares."""
+	"""Returns names in the sentences of a file's head that say what its shader declares."""
 	text = " ".join(line.removeprefix("//").strip() for line in head.splitlines())
 	return {name for sentence in re.findall(r"The (?:pass|shader) declares [^.]*\.", text) for name in re.findall(r"\w+", sentence)}
 
 
 def wrong():
-	"""What is wrong, or "": the files, the names that they use and where these are."""
+	"""Returns what is wrong, or "": the files, the names that they use and where these are."""
 	texts = {path: path.read_text() for path in SHADERS.rglob("*") if path.is_file()}
 	codes = {path: COMMENT.sub("", text) for path, text in texts.items()}
 	own = {path: {define or function for define, function in DEFINED.findall(code)} for path, code in codes.items()}

@@ -19,7 +19,7 @@ MOST = 4  # at once: an editor on software Vulkan takes some gigabytes
 
 
 def is_part():
-	"""Whether this process runs one layer for another process, which has built everything that the layers need."""
+	"""Returns whether this process runs one layer for another process, which has built everything that the layers need."""
 	return HAND_OVER in os.environ
 
 
@@ -30,7 +30,7 @@ def hand_over(tally):
 
 
 def run(layers, only, hardware):
-	"""The Tally of each layer, by its name. They begin in this order, as many at once as there are processors."""
+	"""Returns the Tally of each layer, by its name. They begin in this order, as many at once as there are processors."""
 	arguments = [*(["--only", only] if only else []), *(["--gpu"] if hardware else [])]
 	running = []
 

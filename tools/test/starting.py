@@ -59,7 +59,7 @@ class Start:
 
 
 def kept_in(home):
-	"""The files with shaders, by name."""
+	"""Returns the files with shaders, by name."""
 	return {file.name: file for file in home.glob("data/**/shader_cache/grass_field/*.shader")}
 
 
@@ -68,7 +68,7 @@ def contents(home):
 
 
 def key_of(content):
-	"""The key in a valid file, otherwise nothing. See extension/core/base/shader_file.h."""
+	"""Returns the key in a valid file, otherwise nothing. See extension/core/base/shader_file.h."""
 	if len(content) < 24 or content[:8] != b"GRASSSHD":
 		return b""
 	_, key, shader, checksum = struct.unpack_from("<4I", content, 8)

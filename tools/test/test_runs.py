@@ -92,7 +92,7 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 
 
 def tally_of(result, cases, title):
-	"""The results of one run of a doctest program over so many test cases."""
+	"""Returns the results of one run of a doctest program over so many test cases."""
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*\d+ passed\s*\|\s*(\d+) failed", result.stdout)
 	failed = int(summary[1]) if summary else 0
 	# A block between rulers is one report: of failed checks, or only of a message.
@@ -106,7 +106,7 @@ def tally_of(result, cases, title):
 
 
 def cases_of(command, environment):
-	"""The names of the test cases that a doctest program would run, in order."""
+	"""Returns the names of the test cases that a doctest program would run, in order."""
 	listing = subprocess.run([*command, "--list-test-cases"], capture_output=True, text=True, env=environment).stdout
 	return [line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))]
 

@@ -95,7 +95,7 @@ def copy_project(light):
 
 
 def drawn_in_editor():
-	"""Whether each test of the editor, by name, needs a window. As runner.gd finds them."""
+	"""Returns whether each test of the editor, by name, needs a window. As runner.gd finds them."""
 	drawn = {}
 	for script in sorted((PROJECT / "tests/editor").glob("test_*.gd")):
 		text = script.read_text()
@@ -130,7 +130,7 @@ def laboratory():
 
 
 def on_screen(layers, hardware):
-	"""Everything that drawing layers need."""
+	"""Returns everything that drawing layers need."""
 	software = {"gpu", "validation", "editor", "release", "sanitize", "drivers"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
@@ -180,7 +180,7 @@ ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 
 
 def took(before, after):
-	"""The time between two results of os.times(), in words."""
+	"""Returns the time between two results of os.times(), in words."""
 	processor = sum(after[:4]) - sum(before[:4])
 	return f"{after.elapsed - before.elapsed:.0f} s, {processor:.0f} s of a processor"
 

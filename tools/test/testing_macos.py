@@ -43,7 +43,7 @@ print(json.dumps(found))
 
 
 def read(path):
-	"""Processor -> the data that macholib reads from the library's part for it."""
+	"""Returns processor -> the data that macholib reads from the library's part for it."""
 	zig.ensure()
 	command = [sys.executable, "-c", READER, str(path)]
 	result = subprocess.run(command, env={"PYTHONPATH": str(ZIG)}, capture_output=True, text=True)

@@ -46,7 +46,7 @@ def program(target, name):
 
 
 def runner(target):
-	"""(command prefix, environment additions) to run a program for `target` here."""
+	"""Returns (command prefix, environment additions) to run a program for `target` here."""
 	if target == WINDOWS:
 		quiet = {"WINEPREFIX": str(BUILD / "wine"), "WINEARCH": "win64", "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
 		return [toolchains.tool("wine64")], {**quiet, "DISPLAY": "", "WAYLAND_DISPLAY": ""}
@@ -78,7 +78,7 @@ def run(target, *arguments, limit=LOAD_LIMIT):
 
 
 def registered(target, quick=False):
-	"""The classes that the library for `target` registers, as listed by the host. Raises Failure if it does not load."""
+	"""Returns the classes that the library for `target` registers, as listed by the host. Raises Failure if it does not load."""
 	return run(target, program(target, "host/host"), library(target, quick), ENTRY)
 
 
@@ -234,7 +234,7 @@ def by_clang(target):
 
 
 def of(target):
-	"""The options that build for `target`."""
+	"""Returns the options that build for `target`."""
 	return (f"platform={target[0]}", f"arch={target[1]}")
 
 

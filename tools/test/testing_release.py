@@ -319,7 +319,7 @@ BY_NAME = {
 
 
 def sources_of(layer):
-	"""target -> library, not stripped."""
+	"""Returns target -> library, not stripped."""
 	system, arch = toolchains.HERE
 	here = [target for target in release.TARGETS if (target.system, target.arch) == (system, arch)]
 	if not here:

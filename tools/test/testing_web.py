@@ -29,7 +29,7 @@ def library(threads):
 
 
 def node(name, *arguments):
-	"""The output of a program without threads in Node.js. Raises Failure if it fails."""
+	"""Returns the output of a program without threads in Node.js. Raises Failure if it fails."""
 	command = [emscripten.PROGRAM, names.program(*WEB, name, threads=False), *arguments]
 	environment = {**os.environ, **emscripten.QUIET}
 	result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=testing_platforms.STEP_LIMIT, env=environment)

@@ -30,7 +30,7 @@ RUNTIME = re.compile(r"api-ms-win-crt-[\w-]+\.dll|ucrtbase\.dll")
 
 
 def read(path):
-	"""What pefile reads of a library."""
+	"""Returns what pefile reads of a library."""
 	zig.ensure()
 	result = subprocess.run([sys.executable, "-c", READER, str(path)], env={"PYTHONPATH": str(ZIG)}, capture_output=True, text=True)
 	if result.returncode:

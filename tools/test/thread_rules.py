@@ -21,13 +21,13 @@ const int most = count_processors();"""
 
 
 def found_in(text):
-	"""What starts a thread in a source's text, as (line, words)."""
+	"""Returns what starts a thread in a source's text, as (line, words)."""
 	code = re.sub(r'"(?:[^"\\\n]|\\.)*"', '""', without_comments(text))
 	return [(number, match[0]) for number, line in enumerate(code.split("\n"), 1) for match in STARTS.finditer(line)]
 
 
 def forbidden():
-	"""What is wrong in the sources of the library, as texts."""
+	"""Returns what is wrong in the sources of the library, as texts."""
 	if [number for number, _ in found_in(PLANTED)] != [1, 2, 3]:
 		return ["tools/test/thread_rules.py: it does not find what is planted"]
 	paths = sorted(path for suffix in ("h", "hpp", "cpp") for path in (ROOT / "extension").rglob(f"*.{suffix}") if path != ALLOWED)

@@ -19,7 +19,7 @@ TWICE = re.compile(r"^// Twice: .*\n(?://.*\n)*(?:(?:struct \w+ \{\n(?:\t.*\n)*\
 
 
 def comments(text):
-	"""Each block of comments, as one line."""
+	"""Returns each block of comments, as one line."""
 	return [" ".join(line.strip("/ \t") for line in block.splitlines()) for block in re.findall(r"(?:^[ \t]*//.*\n)+", text, re.MULTILINE)]
 
 
@@ -28,7 +28,7 @@ def place(name):
 
 
 def wrong():
-	"""What is wrong, or ""."""
+	"""Returns what is wrong, or ""."""
 	files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*")) if path.is_file()]
 	texts = {path: path.read_text() for path in files}
 	claims = {}

@@ -46,12 +46,12 @@ def pipeline_of(message):
 
 
 def kind(message):
-	"""The message without the parts that differ from run to run: handles, numbers of commands."""
+	"""Returns the message without the parts that differ from run to run: handles, numbers of commands."""
 	return re.sub(r"0x[0-9a-f]+|^\w+_no = .*$", "#", message.split("\nObjects:")[0], flags=re.MULTILINE)
 
 
 def judge(with_fields, without):
-	"""(kinds of messages that appear only with fields, with their counts; number of false alarms)."""
+	"""Returns (kinds of messages that appear only with fields, with their counts; number of false alarms)."""
 	# Only for pipelines that are known to write twists: cull has bindings with the same numbers.
 	simulate = {pipeline_of(message) for message in with_fields if "descriptor_binding = 13\n" in message}
 	alarms = [message for message in with_fields if is_false_alarm(message) and pipeline_of(message) in simulate]
@@ -87,7 +87,7 @@ def layer(only, tally):
 
 
 def messages(method, below, *arguments):
-	"""The messages that the layer wrote while the scene ran. `below`: environment additions that put a layer of ours below it."""
+	"""Returns the messages that the layer wrote while the scene ran. `below`: environment additions that put a layer of ours below it."""
 	FOLDER.mkdir(parents=True, exist_ok=True)
 	name = "_".join([method, *(argument.strip("-") for argument in arguments)])
 	log, settings = FOLDER / f"{name}.txt", FOLDER / "vk_layer_settings.txt"

@@ -17,7 +17,7 @@ class Reader:
 		return self.data[self.at - 1]
 
 	def number(self):
-		"""An unsigned number of seven bits a byte, the lowest first."""
+		"""Returns an unsigned number of seven bits a byte, the lowest first."""
 		value, shift = 0, 0
 		while True:
 			byte = self.byte()
@@ -32,7 +32,7 @@ class Reader:
 		return self.data[self.at - length : self.at].decode()
 
 	def limits(self):
-		"""The flags of limits, which it reads."""
+		"""Returns the flags of limits, which it reads."""
 		flags = self.byte()
 		self.number()
 		if flags & 1:
@@ -50,7 +50,7 @@ class Module:
 
 
 def read(path):
-	"""The Module of a file. Raises ValueError if it is none."""
+	"""Returns the Module of a file. Raises ValueError if it is none."""
 	data = path.read_bytes()
 	if data[:8] != b"\0asm\1\0\0\0":
 		raise ValueError(f"{path.name} is no WebAssembly module")

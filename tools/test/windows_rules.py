@@ -38,7 +38,7 @@ def found_in(text, declared):
 
 
 def forbidden():
-	"""What is wrong in the sources of the library, as texts."""
+	"""Returns what is wrong in the sources of the library, as texts."""
 	if len(found_in(PLANTED, PLANTED)) != 4:
 		return ["tools/test/windows_rules.py: it does not find what is planted"]
 	wrong = []

@@ -15,7 +15,7 @@ PLANTED = "on: push\njobs:\n  one:\n    runs-on: ubuntu-latest\n    needs: nobod
 
 
 def actionlint():
-	"""The path of actionlint, built once."""
+	"""Returns the path of actionlint, built once."""
 	program = PLACE / VERSION / "actionlint"
 	if not program.exists():
 		folders = {"GOBIN": str(program.parent), "GOPATH": str(PLACE / "go"), "GOCACHE": str(PLACE / "cache"), "GOFLAGS": "-modcacherw"}
@@ -29,13 +29,13 @@ def actionlint():
 
 
 def found_in(paths, text=None):
-	"""What actionlint says of files, or of a `text`."""
+	"""Returns what actionlint says of files, or of a `text`."""
 	arguments = ["-shellcheck=", "-pyflakes=", "-oneline", *(["-"] if text else map(str, paths))]
 	return subprocess.run([actionlint(), *arguments], input=text, cwd=ROOT, capture_output=True, text=True).stdout.splitlines()
 
 
 def wrong():
-	"""What is wrong with the workflows, as texts."""
+	"""Returns what is wrong with the workflows, as texts."""
 	if len(found_in([], PLANTED)) != 2:
 		return ["tools/test/workflows.py: it does not find what is planted"]
 	return found_in(sorted(path.relative_to(ROOT) for path in (ROOT / ".github/workflows").glob("*.yml")))

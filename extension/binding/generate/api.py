@@ -69,13 +69,13 @@ KEYWORDS = {
 
 
 def snake(name):
-	"""The header name of a class: Node3D -> node3d, RDShaderSPIRV -> rd_shader_spirv."""
+	"""Returns the header name of a class: Node3D -> node3d, RDShaderSPIRV -> rd_shader_spirv."""
 	name = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 	return re.sub(r"([23])_d", r"\1d", name)
 
 
 def guard(name):
-	"""A name that is no C++ keyword."""
+	"""Returns a name that is no C++ keyword."""
 	return name + "_" if name in KEYWORDS else name
 
 
@@ -94,12 +94,12 @@ class Type:
 		self.element_class = element_class  # of a typed array
 
 	def declare(self, name):
-		"""A parameter declaration."""
+		"""Returns a parameter declaration."""
 		joint = "" if self.parameter.endswith(("&", "*")) else " "
 		return self.parameter + joint + name
 
 	def result(self):
-		"""The returned type with what must stand between it and the function's name."""
+		"""Returns the type of the result with what must stand between it and the function's name."""
 		return self.name if self.name.endswith("*") else self.name + " "
 
 
@@ -123,7 +123,7 @@ class Api:
 		self.chosen = sorted(chosen, key=lambda name: (self.depth(name), name))
 
 	def depth(self, name):
-		"""How many ancestors a class has."""
+		"""Returns how many ancestors a class has."""
 		parent = self.classes[name].get("inherits")
 		return 1 + self.depth(parent) if parent else 0
 
@@ -131,11 +131,11 @@ class Api:
 		return self.classes[name]["is_refcounted"]
 
 	def class_name(self, name):
-		"""The C++ name of an engine class (ClassDB is the binding's own registry)."""
+		"""Returns the C++ name of an engine class (ClassDB is the binding's own registry)."""
 		return "ClassDBSingleton" if name == "ClassDB" else name
 
 	def type(self, text, meta=None):
-		"""The Type of a type in the dump, or None where the binding has no use for it."""
+		"""Returns the Type of a type in the dump, or None where the binding has no use for it."""
 		if "*" in text or text.split("::")[-1] in UNUSED:
 			return None
 		if text == "bool":
@@ -189,7 +189,7 @@ class Api:
 		return Type(self.class_name(name) + " *", "object", None, name)
 
 	def default(self, kind, text):
-		"""A default value of the dump as a C++ expression for a parameter of this Type."""
+		"""Returns a default value of the dump as a C++ expression for a parameter of this Type."""
 		if text == "null":
 			return "Ref<%s>()" % kind.engine_class if kind.kind == "ref" else "nullptr"
 		if kind.kind == "enum":

@@ -49,7 +49,7 @@ def type_code(name):
 
 
 def hand_written(core, name):
-	"""The methods that a hand-written header declares at class scope."""
+	"""Returns the methods that a hand-written header declares at class scope."""
 	path = os.path.join(core, "variant", snake(name) + ".hpp")
 	if not os.path.exists(path):
 		return set()
@@ -58,7 +58,7 @@ def hand_written(core, name):
 
 
 def method(api, name, entry):
-	"""The declaration and definition of one method, or None."""
+	"""Returns the declaration and definition of one method, or None."""
 	function = Function(api, entry)
 	if not function.known():
 		return None
@@ -80,13 +80,13 @@ PRIVATE = "\nprivate:\n\t%s;\n\npublic:\n\t"  # what a template of the same name
 
 
 def pass_on(name, fixed):
-	"""The end of a vararg template: hands the array `values` to the function that takes pointers."""
+	"""Returns the end of a vararg template: hands the array `values` to the function that takes pointers."""
 	count = "sizeof...(Arguments) + %d" % fixed if fixed else "sizeof...(Arguments)"
 	return "\t\treturn %s_variants(internal::VariantPointers<%s>(values).pointers, %s);\n\t}" % (name, count, count)
 
 
 def vararg_method(function, name, place, tail):
-	"""A template for the caller's arguments over one function that takes them as Variants."""
+	"""Returns a template for the caller's arguments over one function that takes them as Variants."""
 	first = "".join(kind.declare(argument) + ", " for kind, argument, _ in function.arguments)
 	given = "".join("Variant(%s), " % argument for _, argument, _ in function.arguments)
 	head = "%s%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), function.name, tail)
@@ -130,7 +130,7 @@ def operators(name, entry):
 
 
 def constructor_counts(api):
-	"""The table of how many constructors each builtin type has, in the order of their numbers."""
+	"""Returns the table of how many constructors each builtin type has, in the order of their numbers."""
 	types = next(enum for enum in api.dump["global_enums"] if enum["name"] == "Variant.Type")["values"]
 	counts = {type_code(name): len(api.builtins[name]["constructors"]) for name in OPAQUE}
 	row = [str(counts.get("GDEXTENSION_VARIANT_" + item["name"], 0)) for item in types if item["name"] != "TYPE_MAX"]
@@ -158,7 +158,7 @@ def layout_checks(api):
 
 
 def packed_header(name, declarations):
-	"""The whole header of one packed array."""
+	"""Returns the whole header of one packed array."""
 	element = ELEMENTS[name]
 	include = "#include <godot_cpp/variant/%s.hpp>\n" % snake(element) if element in PLAIN + OPAQUE else ""
 	lines = [

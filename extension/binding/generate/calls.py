@@ -28,11 +28,11 @@ class Function:
 			self.arguments.append((kind, "p_" + argument["name"], default))
 
 	def known(self):
-		"""Whether the binding knows every type in it."""
+		"""Returns whether the binding knows every type in it."""
 		return self._known
 
 	def parameters(self, defaults):
-		"""The parameter list, with or without default values."""
+		"""Returns the parameter list, with or without default values."""
 		parts = []
 		for kind, name, default in self.arguments:
 			parts.append(kind.declare(name) + (" = " + default if defaults and default is not None else ""))
@@ -45,7 +45,7 @@ class Function:
 		return [kind for kind, _, _ in self.arguments] + ([self.result] if self.result else [])
 
 	def body(self, call):
-		"""The lines of the body; call(arguments, count, result) gives the statement that performs the call."""
+		"""Returns the lines of the body; call(arguments, count, result) gives the statement that performs the call."""
 		lines, places = [], []
 		for kind, name, _ in self.arguments:
 			local = "value_of_" + name
@@ -69,7 +69,7 @@ class Function:
 		return lines + [declare, call(arguments, len(places), "&result"), give]
 
 	def returned(self):
-		"""The declaration of the result's storage and the statement that returns it."""
+		"""Returns the declaration of the result's storage and the statement that returns it."""
 		kind, name = self.result.kind, self.result.name
 		if kind == "bool":
 			return "bool result = false;", "return result;"
@@ -92,5 +92,5 @@ class Function:
 
 
 def definition(head, body):
-	"""A function definition."""
+	"""Returns a function definition."""
 	return "%s {\n%s\n}\n" % (head, "\n".join("\t" + line for line in body))

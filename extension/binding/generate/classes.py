@@ -10,12 +10,12 @@ SOURCES = 4  # how many .cpp files the classes are spread over: fewer compile fa
 
 
 def header_of(api, name):
-	"""The include path of an engine class."""
+	"""Returns the include path of an engine class."""
 	return "godot_cpp/classes/%s.hpp" % snake("ClassDB_Singleton" if name == "ClassDB" else name).replace("__", "_")
 
 
 def enum_text(enum, indent):
-	"""An enum of the dump. A bit field is 64 bits wide, as the engine passes it."""
+	"""Returns an enum of the dump. A bit field is 64 bits wide, as the engine passes it."""
 	wide = " : uint64_t" if enum["is_bitfield"] else ""
 	values = "".join("%s\t%s = %d,\n" % (indent, value["name"], value["value"]) for value in enum["values"])
 	return "%senum %s%s {\n%s%s};\n" % (indent, enum["name"], wide, values, indent)
@@ -48,7 +48,7 @@ class EngineClass:
 		self.methods = [function for function in functions if not function.virtual]
 
 	def header(self):
-		"""The whole header."""
+		"""Returns the whole header."""
 		includes, forward = self.dependencies()
 		lines = [HEADER + "#pragma once\n"]
 		lines += ["#include <%s>" % path for path in includes]
@@ -82,7 +82,7 @@ class EngineClass:
 		return "\n".join(lines) + "\n"
 
 	def register_virtuals(self):
-		"""The template that binds those virtual methods that a user's class overrides."""
+		"""Returns the template that binds those virtual methods that a user's class overrides."""
 		lines = ["\nprotected:", "\ttemplate <typename T, typename Base>", "\tstatic void register_virtuals() {"]
 		if self.parent:
 			lines.append("\t\t%s::register_virtuals<T, Base>();" % self.api.class_name(self.parent))
@@ -94,7 +94,7 @@ class EngineClass:
 		return lines + ["\t}"]
 
 	def dependencies(self):
-		"""Which headers the class needs, and which classes it only names."""
+		"""Returns which headers the class needs, and which classes it only names."""
 		includes, forward = set(), set()
 		for function in self.methods + self.virtuals:
 			for kind in function.types():
@@ -115,7 +115,7 @@ class EngineClass:
 		return first + sorted(includes - {base}), sorted(forward - {"Object", self.name} if self.parent else forward)
 
 	def declaration(self, function):
-		"""A method's declaration; a vararg method is a template over one that takes Variants."""
+		"""Returns a method's declaration; a vararg method is a template over one that takes Variants."""
 		static = "static " if function.static else ""
 		tail = " const" if function.const and not function.static else ""
 		if not function.vararg:
@@ -134,7 +134,7 @@ class EngineClass:
 		return text + pass_on(function.name, count)
 
 	def source(self):
-		"""The definitions of all methods."""
+		"""Returns the definitions of all methods."""
 		parts = ["ENGINE_CLASS_DEFINE(%s)\n" % self.name]
 		if self.dump_name in self.api.singletons:
 			parts.append(
@@ -168,7 +168,7 @@ class EngineClass:
 		return "\n".join(parts)
 
 	def virtual_default(self, function):
-		"""What a virtual method does where no class overrides it: nothing."""
+		"""Returns what a virtual method does where no class overrides it: nothing."""
 		types = ", ".join(kind.declare("").rstrip() for kind, _, _ in function.arguments)
 		head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.name, types, " const" if function.const else "")
 		if not function.result:

@@ -7,7 +7,7 @@ HEADER = "// SPDX-License-Identifier: MIT\n// Written by extension/binding/gener
 
 
 def interface_functions(text):
-	"""The (name, typedef, deprecated) of every interface function that the header documents."""
+	"""Returns the (name, typedef, deprecated) of every interface function that the header documents."""
 	entry = re.compile(r"/\*\*(?P<notes>(?:(?!\*/).)*?@name (?P<name>\w+)(?:(?!\*/).)*)\*/\s*typedef\s[^;]*?\(\*(?P<type>\w+)\)\s*\(", re.S)
 	return [(match["name"], match["type"], "@deprecated" in match["notes"]) for match in entry.finditer(text)]
 

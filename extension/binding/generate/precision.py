@@ -149,7 +149,7 @@ class Double:
 
 
 def as_double(dump):
-	"""The dump, changed in place; one of a double-precision engine as it is."""
+	"""Returns the dump, changed in place; one of a double-precision engine as it is."""
 	if dump["header"]["precision"] != "double":
 		double = Double(dump)
 		for entry in dump["classes"]:

@@ -44,7 +44,7 @@ const GDExtensionInstanceBindingCallbacks *find_callbacks(const StringName &p_cl
 	return found == wrappers->callbacks.end() ? nullptr : found->second;
 }
 
-// Those of the class itself or of its nearest known ancestor.
+// Returns those of the class itself or of its nearest known ancestor.
 const GDExtensionInstanceBindingCallbacks *nearest_callbacks(const StringName &p_class) {
 	const GDExtensionInstanceBindingCallbacks *callbacks = find_callbacks(p_class);
 	if (callbacks) {

@@ -72,7 +72,7 @@ void ask_version(uint32_t &r_major, uint32_t &r_minor) {
 	}
 }
 
-// Whether the engine's vectors are as large as ours. If not, every call with one would read or write what is beside it.
+// Returns whether the engine's vectors are as large as ours. If not, every call with one would read or write what is beside it.
 bool has_our_precision() {
 	constexpr int FROM_NUMBERS = 3; // Vector3(x, y, z)
 	const double x = 1.0, y = 2.0, z = 3.0;

@@ -20,7 +20,7 @@ std::span<const uint8_t> bytes_of(std::string_view p_text) {
 	return { reinterpret_cast<const uint8_t *>(p_text.data()), p_text.size() };
 }
 
-// The FNV-1a hash.
+// Returns the FNV-1a hash.
 uint64_t hash_bytes(std::span<const uint8_t> p_bytes) {
 	uint64_t hash = 0xcbf29ce484222325u;
 	for (const uint8_t byte : p_bytes) {

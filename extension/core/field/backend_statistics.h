@@ -22,7 +22,6 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: bytes sent to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, except patch and MultiMesh
 	int64_t pool_bytes = 0; // now: the part of them that grows with the pool
-	int64_t pool_makings = 0; // times that the pool got another number of slots
 	int64_t culls = 0; // culling passes
 	int64_t render_jobs = 0; // GPU: jobs given to the render thread
 	int64_t mixes = 0; // frames that mixed the offsets of two steps
@@ -40,7 +39,6 @@ struct BackendStatistics {
 	int64_t undrawn_batches = 0; // GPU, of all fields together: times that the device did its work without a frame that is drawn
 	int64_t timed_steps = 0; // times that simulate_ms was measured; GPU: by a frame that has steps
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
-	double pool_ms = 0.0; // CPU time of the last of pool_makings
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };
 

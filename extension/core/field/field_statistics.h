@@ -24,7 +24,7 @@ struct FieldStatistics {
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of moving trimeshes
 	int64_t areas = 0; // of the physics server, for all fields together
 	BodyReads reads;
-	int64_t plant_nodes = 0, plant_nodes_made = 0; // plants that have a node; nodes made so far
+	int64_t plant_nodes = 0; // plants that have a node
 	int64_t stems_looked_at = 0, plant_tiles_looked_at = 0; // in search of such plants, so far
 	int64_t forces = 0, forces_left_out = 0; // that blow over it; left out for lack of room
 	TileStatistics tile_work;

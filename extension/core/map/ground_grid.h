@@ -52,7 +52,7 @@ struct GroundGrid {
 	Eigen::Vector2d offset() const { return Eigen::Vector2d(x, z) / STEPS; } // metres from the centre of a texel to its height
 };
 
-// A grid as one number: its steps, 11 bits each, above its split.
+// Returns a grid as one number: its steps, 11 bits each, above its split.
 inline uint32_t pack_ground_grid(const GroundGrid &p_grid) {
 	return uint32_t(p_grid.split) | uint32_t(p_grid.x + GroundGrid::STEPS / 2) << 2 | uint32_t(p_grid.z + GroundGrid::STEPS / 2) << 13;
 }

@@ -28,7 +28,7 @@ size_t index_of(const MapChannelInfo &p_info, const MapKey &p_key, int p_compone
 	return (row * size_t(p_info.side) + column) * size_t(p_info.components) + size_t(p_component);
 }
 
-// Where a channel keeps what is at p_place.
+// Returns where a channel keeps what is at p_place.
 Eigen::Vector2d place_in(MapChannel p_channel, const GroundGrid &p_grid, const Eigen::Vector2d &p_place) {
 	const Eigen::Vector2d offset = p_grid.offset();
 	if (p_channel == MAP_LEDGE) {

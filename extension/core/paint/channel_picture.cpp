@@ -24,7 +24,7 @@ double read_number(const uint8_t *p_pixel, int p_number, bool p_is_float) {
 	return double(value);
 }
 
-// Which number of a pixel is a component of the channel.
+// Returns which number of a pixel is a component of the channel.
 int number_of(const MapChannelInfo &p_info, const PixelFormat &p_format, int p_component) {
 	return p_component == 3 ? p_format.colors : (p_format.colors == 1 && p_info.components == 4 ? 0 : p_component);
 }
@@ -145,7 +145,7 @@ private:
 		keep(p_key, _channel, std::move(after));
 	}
 
-	// The chunk's paint, with the densities that changed painted by hand.
+	// Returns the chunk's paint, with the densities that changed painted by hand.
 	MapTexels painted(const MapKey &p_key, const MapTexels &p_before, const MapTexels &p_after) const {
 		static_assert(info_of(MAP_PAINT).side == info_of(MAP_DENSITY).side);
 		MapTexels paint = texels_of(p_key, MAP_PAINT);

@@ -101,7 +101,7 @@ private:
 		_writer.lay(p_i, p_j, height, is_given ? given : _ground.normal(p_i, p_j));
 	}
 
-	// The cells of the block that had a ledge in the map and have none now.
+	// Returns the cells of the block that had a ledge in the map and have none now.
 	std::vector<std::pair<int, int>> find_gone() {
 		std::vector<std::pair<int, int>> gone;
 		MapReader codes(_map, MAP_LEDGE);

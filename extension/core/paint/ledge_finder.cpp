@@ -133,7 +133,7 @@ void LedgeFinder::examine(const HeightBlock &p_heights, const Waiting &p_cell, G
 	}
 }
 
-// Whether the ground, where it rises most between two points, is steeper than a slope.
+// Returns whether the ground, where it rises most between two points, is steeper than a slope.
 bool LedgeFinder::jumps(const HeightBlock &p_heights, const LedgeCell &p_cell, GroundPlaces &r_places) const {
 	Eigen::Array2d from = Eigen::Array2d::Zero(), to = Eigen::Array2d::Zero();
 	double most = -1.0, low = 0.0, high = 0.0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double FITS = 0.02; // metres that the ground may be away from where grass is put, in a cell with a ledge
 constexpr double NEAR = 0.05; // metres in which the slope beside a ledge is measured
 
-// How far from the ground each code's height lies at a point of a cell. Infinite: so far that nothing may grow there.
+// Returns how far from the ground each code's height lies at a point of a cell. Infinite: so far that nothing may grow there.
 std::array<double, 16> errors_at(const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, int p_column, int p_row) {
 	const double x = double(p_column) / LedgeCell::SPOTS, z = double(p_row) / LedgeCell::SPOTS, there = p_cell.at(p_column, p_row);
 	std::array<double, 4> planes{};

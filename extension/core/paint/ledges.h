@@ -15,8 +15,8 @@ namespace grass {
 // Steeper ground is a ledge: nothing is blended across it, and nothing grows on its face.
 inline constexpr Tunable LEDGE_SLOPE{ "ledge_slope", "\u00b0", 30.0, 89.0, 0.5, 70.0 };
 
-// The height at a place of a cell that a blend of its corners' heights gives; p_x, p_z: of the way through it. Corners: (0, 0), (1, 0),
-// (0, 1), (1, 1).
+// Returns the height at a place of a cell that a blend of its corners' heights gives; p_x, p_z: of the way through it. Corners: (0, 0), (1,
+// 0), (0, 1), (1, 1).
 double blend_corners(const std::array<double, 4> &p_corners, double p_x, double p_z);
 // Rise over run of a slope in degrees.
 double ledge_tangent(double p_slope);
@@ -26,7 +26,7 @@ struct LedgeCell {
 	static constexpr int POINTS = SPOTS + 1;
 	int i = 0, j = 0; // the cell's first texel
 	static Eigen::Array2i first_spot(int p_i, int p_j) { return Eigen::Array2i(p_i, p_j) * SPOTS + SPOTS / 2; } // texel of MAP_LEDGE
-	// How many texels of MAP_LEDGE farther that is where the ground has a grid of its own (grass_ledge_place()).
+	// Returns how many texels of MAP_LEDGE farther that is where the ground has a grid of its own (grass_ledge_place()).
 	static Eigen::Array2i moved_spots(const GroundGrid &p_grid) {
 		return (p_grid.offset() * SPOTS + Eigen::Vector2d(0.5, 0.5)).array().floor().cast<int>();
 	}

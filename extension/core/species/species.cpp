@@ -19,7 +19,7 @@ constexpr double FRAYS = 0.25;
 
 constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
 
-// The quantiles of stand noise, ascending. They do not depend on where the lattice is.
+// Returns the quantiles of stand noise, ascending. They do not depend on where the lattice is.
 const std::vector<uint32_t> &noise_values() {
 	static const std::vector<uint32_t> values = [] {
 		constexpr uint32_t CELL = 8, SIDE = 64 * CELL; // 4096 cells, 64 places in each

@@ -28,7 +28,7 @@ static func is_drawn() -> bool:
 	return DisplayServer.get_name() != "headless"
 
 
-## Whether the processor draws: the benchmark is then smaller.
+## Returns whether the processor draws: the benchmark is then smaller.
 static func is_software() -> bool:
 	return not is_drawn() or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU or _is_llvmpipe()
 

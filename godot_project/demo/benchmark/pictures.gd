@@ -41,7 +41,7 @@ func _draw(stage: Node, name: String) -> void:
 	field.free()
 
 
-## The mean colour of each cell of a picture: red, green and blue, 0 to 255.
+## Returns the mean colour of each cell of a picture: red, green and blue, 0 to 255.
 static func colors(image: Image) -> PackedByteArray:
 	var cells := PackedByteArray()
 	for y in GRID.y:

@@ -49,7 +49,7 @@ func surround(inner: float, outer: float, hills: Hills, density: float) -> void:
 		_add("Far%d" % fields.size(), rect, density, density == NEAR_DENSITY).bake_ground_from(hills.shape, hills.global_transform)
 
 
-## The field at a place; null outside of all of them.
+## Returns the field at a place; null outside of all of them.
 func field_at(place: Vector3) -> GrassField:
 	for each in fields:
 		if each.get_tile_at(place) != Vector2i(-1, -1):

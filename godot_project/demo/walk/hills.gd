@@ -80,12 +80,12 @@ func ground_at(place: Vector2) -> float:
 	return _rise(place)
 
 
-## The point `above` metres over the ground at a place.
+## Returns the point `above` metres over the ground at a place.
 func on_ground(place: Vector3, above := 0.0) -> Vector3:
 	return Vector3(place.x, height_at(place) + above, place.z)
 
 
-## The normal of the ground at a place.
+## Returns the normal of the ground at a place.
 func normal_at(place: Vector3) -> Vector3:
 	var x := height_at(place + Vector3.RIGHT) - height_at(place + Vector3.LEFT)
 	var z := height_at(place + Vector3.BACK) - height_at(place + Vector3.FORWARD)

@@ -76,7 +76,7 @@ func stay() -> void:
 	brake = BRAKE
 
 
-## The place of somebody who has got out.
+## Returns the place of somebody who has got out.
 func get_door() -> Vector3:
 	return global_transform * DOOR
 

@@ -40,7 +40,7 @@ static func box(size: Vector3) -> BoxShape3D:
 	return shape
 
 
-## A lamp that shines along -z.
+## Adds a lamp that shines along -z.
 static func add_lamp(to: Node3D, at: Vector3, energy: float, reach: float) -> SpotLight3D:
 	var lamp := SpotLight3D.new()
 	lamp.position = at

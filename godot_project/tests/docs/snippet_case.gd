@@ -11,7 +11,7 @@ func block_script() -> GDScript:
 	return load(block.path)
 
 
-## The stage in the tree, with the block as its script. `setup(stage)` runs before it enters.
+## Returns the stage in the tree, with the block as its script. `setup(stage)` runs before it enters.
 func staged(setup := Callable()) -> Stage:
 	var stage: Node = load("res://tests/docs/stage.tscn").instantiate()
 	stage.set_script(block_script())
@@ -22,14 +22,14 @@ func staged(setup := Callable()) -> Stage:
 	return stage
 
 
-## The stage after the block's statements.
+## Returns the stage after the block's statements.
 func ran(setup := Callable()) -> Stage:
 	var stage := await staged(setup)
 	stage.call("run")
 	return stage
 
 
-## A shape that lies on the stage's field, held still.
+## Returns a shape that lies on the stage's field, held still.
 func press(stage: Stage, place := Vector3.ZERO) -> AnimatableBody3D:
 	var body := add_held_body(ball(0.4), place + Vector3(0, 0.3, 0))
 	await seen()

@@ -136,7 +136,7 @@ func _save(viewport: SubViewport, picture: String) -> void:
 		)
 
 
-## The number that a vertex shader reads for the first instance of an indirect draw call whose firstInstance is `first`.
+## Returns the number that a vertex shader reads for the first instance of an indirect draw call whose firstInstance is `first`.
 func first_instance(first: int) -> int:
 	var device := RenderingServer.get_rendering_device()
 	var format := RDTextureFormat.new()

@@ -50,7 +50,7 @@ func refuse(passes: String) -> void:
 	OS.set_environment("GRASS_LAYER_REFUSED", passes)
 
 
-## The passes that the driver was asked for in this process, by the names of their files.
+## Returns the passes that the driver was asked for in this process, by the names of their files.
 func asked_passes() -> PackedStringArray:
 	return FileAccess.get_file_as_string(OS.get_environment("GRASS_LAYER_ASKED")).split("\n", false)
 

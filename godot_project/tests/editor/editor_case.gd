@@ -25,7 +25,7 @@ func before() -> void:
 	reset_brush()
 
 
-## Whether the editor has shown a message with this in it.
+## Returns whether the editor has shown a message with this in it.
 func is_told(part: String) -> bool:
 	var labels := EditorInterface.get_editor_toaster().find_children("*", "Label", true, false)
 	return labels.any(func(label: Label) -> bool: return label.text.contains(part))
@@ -102,7 +102,7 @@ func view() -> Control:
 	return EditorInterface.get_editor_viewport_3d(0).get_parent()
 
 
-## The place of a point of the world on the screen.
+## Returns the place of a point of the world on the screen.
 func at(point: Vector3) -> Vector2:
 	return view().get_global_transform() * EditorInterface.get_editor_viewport_3d(0).get_camera_3d().unproject_position(point)
 
@@ -226,12 +226,12 @@ func redo() -> void:
 	await key(KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 
 
-## Whether pictures are for pages, or only drawn so that the engine says what is wrong with them (tools/test/testing.py).
+## Returns whether pictures are for pages, or only drawn so that the engine says what is wrong with them (tools/test/testing.py).
 func is_for_pages() -> bool:
 	return ProjectSettings.get_setting("rendering/scaling_3d/scale") == 1.0
 
 
-## The density of the grass in a picture for pages, else a tenth of it: software draws that in a fraction of the time.
+## Returns the density of the grass in a picture for pages, else a tenth of it: software draws that in a fraction of the time.
 func density_of_picture(dense: float) -> float:
 	return dense if is_for_pages() else 0.1 * dense
 
@@ -266,7 +266,7 @@ func add_landscape() -> void:
 		root.add_child(soil(SIDE, _foot))
 
 
-## The lowest ground near a place, metres: soil hides no grass beside a ledge.
+## Returns the lowest ground near a place, metres: soil hides no grass beside a ledge.
 func _foot(x: float, z: float) -> float:
 	var lowest := INF
 	for i in 9 if field.map else 0:
@@ -318,7 +318,7 @@ func _hold(event: InputEventWithModifiers, modifiers: int) -> void:
 	event.alt_pressed = modifiers & KEY_MASK_ALT
 
 
-## Heights of the ground, a metre apart. Which spots beside a ledge are bare depends on the piece of ground that was read last.
+## Returns heights of the ground, a metre apart. Which spots beside a ledge are bare depends on the piece of ground that was read last.
 func heights() -> PackedFloat32Array:
 	var all := PackedFloat32Array()
 	for x in range(-12, 13):

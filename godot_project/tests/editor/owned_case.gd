@@ -73,7 +73,7 @@ func press(text: String) -> void:
 	assert_true(false, "the dialog has a button '%s'" % text)
 
 
-## The field's density at a place of its own, as the file on disk says; -1: it has no map.
+## Returns the field's density at a place of its own, as the file on disk says; -1: it has no map.
 func saved_density(path: String, node: String, place := Vector2(0, 1.5)) -> float:
 	var packed: PackedScene = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP)
 	var root := packed.instantiate()

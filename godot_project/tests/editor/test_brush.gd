@@ -115,16 +115,67 @@ func test_keys_and_wheel_change_the_brush() -> void:
 		var before := number(case[0])
 		await key(case[1], case[2])
 		assert_eq(int(signf(number(case[0]) - before)), case[3], "%s by key" % case[0])
+	for code: Key in [KEY_BRACKETRIGHT, KEY_BRACKETLEFT]:
+		var radius := number("Radius")
+		await press({keycode = KEY_9, physical_keycode = code})  # a layout on which a bracket needs AltGr
+		assert_eq(int(signf(number("Radius") - radius)), 1 if code == KEY_BRACKETRIGHT else -1, "by the key's place")
 	cases = [["Radius", KEY_MASK_CTRL], ["Hardness", KEY_MASK_SHIFT], ["Strength", KEY_MASK_CTRL | KEY_MASK_SHIFT]]
 	var eye := camera_transform()
 	for case: Array in cases:
-		for wheel: Array in [[MOUSE_BUTTON_WHEEL_UP, 1], [MOUSE_BUTTON_WHEEL_DOWN, -1]]:
+		for wheel: Array in [
+			[MOUSE_BUTTON_WHEEL_UP, 1], [MOUSE_BUTTON_WHEEL_DOWN, -1], [MOUSE_BUTTON_WHEEL_RIGHT, 1], [MOUSE_BUTTON_WHEEL_LEFT, -1]
+		]:
 			var before := number(case[0])
 			await button(wheel[0], true, middle, case[1])
 			await button(wheel[0], false, middle, case[1])
 			assert_eq(int(signf(number(case[0]) - before)), wheel[1], "%s by wheel" % case[0])
 	await frames(10)
 	assert_near(camera_transform().origin, eye.origin, 1e-3, "the view stays")
+	var kept := number("Radius")
+	for index: MouseButton in [MOUSE_BUTTON_WHEEL_UP, MOUSE_BUTTON_WHEEL_DOWN]:
+		await button(index, true, middle, KEY_MASK_CTRL | KEY_MASK_ALT)
+		await button(index, false, middle, KEY_MASK_CTRL | KEY_MASK_ALT)
+		assert_eq(number("Radius"), kept, "with Alt the wheel is the view's")
+
+
+func press(properties: Dictionary) -> void:
+	for pressed: bool in [true, false]:
+		var event := InputEventKey.new()
+		event.pressed = pressed
+		for property: String in properties:
+			event.set(property, properties[property])
+		await send(event)
+
+
+func test_a_pen_paints_as_hard_as_it_presses() -> void:
+	await take("Erase")
+	var left: Array[float] = []
+	for pressure: float in [0.2, 1.0]:
+		await move(at(Vector3(-1, 0, 0)))
+		await button(MOUSE_BUTTON_LEFT, true, at(Vector3(-1, 0, 0)))
+		var event := InputEventMouseMotion.new()
+		event.position = at(Vector3(1.25, 0, 0.25))
+		event.global_position = event.position
+		event.button_mask = MOUSE_BUTTON_MASK_LEFT
+		event.pressure = pressure
+		await send(event)
+		await button(MOUSE_BUTTON_LEFT, false, event.position)
+		left.append(density(1.25, 0.25))
+		await undo()
+	assert_less(left[1] + 0.1, left[0], "%s" % [left])
+
+
+func test_a_view_at_half_resolution_is_painted_where_the_cursor_is() -> void:
+	await take("Erase")
+	var place := at(Vector3(1, 0, -1))
+	var container: SubViewportContainer = view()
+	container.stretch_shrink = 2
+	await frames(2)
+	await move(place)
+	await button(MOUSE_BUTTON_LEFT, true, place)
+	await button(MOUSE_BUTTON_LEFT, false, place)
+	container.stretch_shrink = 1
+	assert_less(density(1, -1), 0.9)
 
 
 func test_held_keys_change_the_tool() -> void:

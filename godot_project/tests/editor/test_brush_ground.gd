@@ -85,6 +85,8 @@ func test_a_stroke_that_only_bakes_is_a_step_of_the_history() -> void:
 	assert_near(ground(place.x, place.z), 1.787, 0.08)
 	await undo()
 	assert_near(ground(place.x, place.z), 1.287, 0.08)
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(2)
+	assert_near(ground(place.x, place.z), 1.287, 0.08, "what is painted is cleared, the ground is not")
 
 
 func test_strokes_keep_to_slopes_and_heights() -> void:

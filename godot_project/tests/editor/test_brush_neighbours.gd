@@ -39,7 +39,7 @@ func add_field(named: String, place: Vector3) -> GrassField:
 	return added
 
 
-## What a field's map holds at a place of the world.
+## Returns what a field's map holds at a place of the world.
 func at_world(of: GrassField, channel_of: GrassMap.Channel, place: Vector3) -> float:
 	var local := of.to_local(place)
 	return of.map.sample(channel_of, Vector2(local.x, local.z)) if of.map else -1.0
@@ -99,9 +99,24 @@ func test_locked_hidden_and_stacked_fields_are_left_alone() -> void:
 	await stroke(ACROSS)
 	assert_true(right.map == null, "hidden")
 	right.visible = true
+	right.rotation_degrees.x = 50.0
+	await stroke(ACROSS)
+	assert_true(right.map == null, "faces another way")
+	right.rotation_degrees.x = 0.0
 	popup().id_pressed.emit(4)
 	await stroke(ACROSS)
 	assert_true(right.map == null, "told not to")
+
+
+func test_a_shared_map_is_painted_in_one_of_its_places() -> void:
+	field.map = GrassMap.new()
+	field.map.base_density = 1.0
+	right.map = field.map
+	await frames(3)
+	await take("Erase")
+	await stroke(ACROSS)
+	assert_less(at_world(field, GrassMap.CHANNEL_DENSITY, Vector3(1.25, 0, 0)), 0.3)
+	assert_near(at_world(right, GrassMap.CHANNEL_DENSITY, Vector3(3.75, 0, 0)), 1.0, 0.0)
 
 
 func test_species_are_found_by_what_they_are() -> void:

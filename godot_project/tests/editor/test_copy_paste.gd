@@ -60,6 +60,8 @@ func test_what_is_under_the_brush_is_pasted_under_the_brush() -> void:
 	await select(right)
 	await take("Cut")
 	await move(at(Vector3(3.5, 0, 0)))
+	await key(KEY_V, KEY_MASK_CTRL | KEY_MASK_SHIFT)
+	assert_true(right.map == null, "with Shift the keys are for nodes")
 	await key(KEY_V, KEY_MASK_CTRL)
 	if not assert_true(right.map != null, "pasted"):
 		return
@@ -99,6 +101,15 @@ func test_the_menu_copies_a_whole_field() -> void:
 			assert_near(of(right.map, channel_of, place), of(field.map, channel_of, place), 0.01, "%s %s" % [channel_of, place])
 	await undo()
 	assert_true(right.map == null)
+
+
+func test_a_field_that_is_too_large_is_not_copied() -> void:
+	field.size = Vector2(300, 300)
+	await frames(2)
+	menu_of(Menu.COPY)
+	assert_true(is_told("square metres can be copied"))
+	menu_of(Menu.PASTE)
+	assert_true(is_told("no field was copied"))
 
 
 func test_species_go_from_field_to_field_beside_its_own() -> void:

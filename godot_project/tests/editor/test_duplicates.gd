@@ -87,6 +87,10 @@ func test_fields_that_share_a_map_are_told_of_and_can_be_parted() -> void:
 	var right := add_sharing()
 	await frames(4)
 	right.map = field.map
+	field.fill_live = false
+	right.fill_live = false
+	field.fill_rule = GrassFillRule.new()
+	right.fill_rule = field.fill_rule
 	EditorInterface.save_scene()
 	await open(SAVED)
 	right = field.get_node("../Right")
@@ -101,6 +105,7 @@ func test_fields_that_share_a_map_are_told_of_and_can_be_parted() -> void:
 	await frames(2)
 	assert_true(right.map != shared and field.map == shared)
 	assert_eq(right.map.data, shared.data)
+	assert_true(right.fill_rule != field.fill_rule, "and a rule of its own")
 	await undo()
 	assert_true(right.map == shared, "one step")
 

@@ -94,7 +94,7 @@ func cover() -> float:
 	return sum / (23 * 23)
 
 
-## The inspector's button of this name, scrolled into view; null if there is none.
+## Returns the inspector's button of this name, scrolled into view; null if there is none.
 func find_button(text: String) -> Button:
 	await frames(20)  # the inspector follows a while after a change
 	var inspector := EditorInterface.get_inspector()
@@ -108,7 +108,7 @@ func find_button(text: String) -> Button:
 	return null
 
 
-## The sections of the inspector that hold a control: folded ones must open.
+## Returns the sections of the inspector that hold a control: folded ones must open.
 func _above(control: Control, inspector: Control) -> Array[Node]:
 	var sections: Array[Node] = []
 	var node := control.get_parent()

@@ -24,7 +24,7 @@ func assert_warned(expected: bool, message: String) -> void:
 	fail(message)
 
 
-## The tooltip of the yellow triangle beside the field in the scene tree; "" without one.
+## Returns the tooltip of the yellow triangle beside the field in the scene tree; "" without one.
 func warning() -> String:
 	await frames(1)
 	for tree: Tree in EditorInterface.get_base_control().find_children("*", "Tree", true, false):
@@ -85,7 +85,7 @@ func palette() -> ItemList:
 	return toolbar.get_node("SpeciesTarget")
 
 
-## The name in the palette that is chosen.
+## Returns the name in the palette that is chosen.
 func chosen() -> String:
 	return palette().get_item_text(palette().get_selected_items()[0]) if palette().is_anything_selected() else ""
 
@@ -174,7 +174,7 @@ func mean_color(picture: Image) -> Color:
 	return sum / maxf(sum.a, 1e-6)
 
 
-## What an export to a platform of this class says of the field, by its messages.
+## Returns what an export to a platform of this class says of the field, by its messages.
 func export_errors(platform: EditorExportPlatform, options: Dictionary) -> PackedStringArray:
 	var preset := platform.create_preset()
 	for option: String in options:

@@ -39,7 +39,7 @@ func set_bands() -> void:
 	await frames(3)
 
 
-## The height of the meadow's map, metres.
+## Returns the height of the meadow's map, metres.
 func ground(x: float, z: float) -> float:
 	return field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)) if field.map else NAN
 
@@ -48,7 +48,7 @@ func of_bridge(place: Vector3) -> float:
 	return bridge.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(place.x - ON_DECK.x, place.z - ON_DECK.z)) if bridge.map else 1.0
 
 
-## Where the line of sight through a place of the deck meets the plane of the meadow.
+## Returns where the line of sight through a place of the deck meets the plane of the meadow.
 func below(place: Vector3) -> Vector3:
 	var eye := camera_transform().origin
 	return eye + (place - eye) * eye.y / (eye.y - place.y)

@@ -6,7 +6,7 @@ extends "res://tests/editor/editor_case.gd"
 const ARROW := 140.0  # pixels from a point to the tip of its arrow
 
 
-## A path of three points, in a row before the camera, selected.
+## Adds a path of three points, in a row before the camera, selected.
 func add_path(properties: Dictionary) -> GrassPath3D:
 	var path := GrassPath3D.new()
 	path.curve = Curve3D.new()

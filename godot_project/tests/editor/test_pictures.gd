@@ -16,9 +16,7 @@ func before() -> void:
 
 
 func after() -> void:
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER + file)
-	DirAccess.remove_absolute(FOLDER)
+	remove_folder(FOLDER)
 	await super()
 
 

@@ -41,7 +41,7 @@ func test_each_side_is_dragged_and_both_move() -> void:
 	assert_near(field.size, Vector2(8, 4), 0.05, "the left one")
 	await drag(Vector3(0, 0, -2), Vector3(0, 0, 1))
 	assert_near(field.size.x, 8.0, 0.05)
-	assert_greater(field.size.y, 0.0, "not past the centre")
+	assert_near(field.size.y, 1.0, 0.05, "past the centre it stays as it was before")
 
 
 func test_the_right_button_cancels() -> void:
@@ -60,6 +60,23 @@ func test_a_field_that_is_turned() -> void:
 	var side := field.to_global(Vector3(3, 0, 0))
 	await drag(side, field.to_global(Vector3(2, 0, 0)))
 	assert_near(field.size, Vector2(4, 4), 0.05)
+
+
+func test_a_field_that_is_scaled() -> void:
+	field.scale = Vector3(2, 1, 2)  # which it ignores
+	field.update_gizmos()
+	await frames(3)
+	await drag(Vector3(3, 0, 0), Vector3(2, 0, 0))
+	assert_near(field.size, Vector2(4, 4), 0.05)
+
+
+func test_sizes_snap_as_places_do() -> void:
+	await key(KEY_Y)
+	var snaps := EditorInterface.is_node_3d_snap_enabled()
+	await drag(Vector3(3, 0, 0), Vector3(2.2, 0, 0))
+	await key(KEY_Y)
+	assert_true(snaps)
+	assert_near(field.size.x, snappedf(4.4, EditorInterface.get_node_3d_translate_snap()), 1e-3)
 
 
 func test_what_was_painted_stays_and_the_brush_goes_first() -> void:

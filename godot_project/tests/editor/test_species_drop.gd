@@ -7,7 +7,7 @@ const DRAWN := ["test_a_preset_that_is_dropped_on_a_field_grows_there", "test_a_
 const PRESETS := "res://addons/grass_field/presets/"
 
 
-## What the file dock would have been dragging.
+## Returns what the file dock would have been dragging.
 func files(paths: PackedStringArray) -> Dictionary:
 	return {type = "files", files = paths}
 
@@ -16,7 +16,7 @@ func over_views() -> int:
 	return get_tree().root.find_children("*", "ViewDrop", true, false).size()
 
 
-## Whether a species is what a field grows that names none.
+## Returns whether a species is what a field grows that names none.
 func is_default(species: GrassSpecies) -> bool:
 	var fresh := GrassSpecies.new()
 	for property in fresh.get_property_list():
@@ -53,6 +53,25 @@ func test_a_preset_grows_beside_what_grew_there_and_is_in_the_hand() -> void:
 	await redo()
 	await redo()
 	assert_eq(field.species.size(), 4)
+
+
+func test_a_field_with_all_species_it_can_have_takes_no_more() -> void:
+	var many: Array[GrassSpecies] = []
+	for i in 8:
+		many.append(GrassSpecies.new())
+	field.species = many
+	await frames(2)
+	await drop(files([PRESETS + "wheat.tres"]), "Species")
+	assert_eq(field.species, many)
+	assert_true(is_told("at most"), "and says so")
+
+
+func test_a_species_of_another_scene_is_copied() -> void:
+	var foreign := GrassSpecies.new()
+	foreign.resource_path = "res://tests/editor/elsewhere.tscn::1"
+	await drop({type = "resource", resource = foreign}, "Species")
+	if assert_eq(field.species.size(), 2):
+		assert_true(field.species[1] != foreign, "it would change with that scene")
 
 
 func test_what_is_no_species_is_not_taken() -> void:

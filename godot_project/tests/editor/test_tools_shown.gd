@@ -23,7 +23,7 @@ func shown() -> void:
 	assert_eq(field.get_statistics().left_out_tiles, 0)
 
 
-## A mean colour of the view within some pixels of a point of the world.
+## Returns a mean colour of the view within some pixels of a point of the world.
 func seen_at(point: Vector3, reach := 4) -> Color:
 	var image := await seen()
 	var middle := Vector2i(at(point))

@@ -47,7 +47,7 @@ func _add_box() -> void:
 	add_child(body)
 
 
-## A picture that shows everything as it is now.
+## Returns a picture that shows everything as it is now.
 func _picture() -> Image:
 	for i in 3:
 		await RenderingServer.frame_post_draw

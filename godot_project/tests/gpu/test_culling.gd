@@ -12,7 +12,7 @@ const VIEWS: Array[Array] = [
 ]
 
 
-## Tiles in view by the planes that the camera tells, for blades that lean `overhang` metres out of their tile and up to `height`.
+## Returns tiles in view by the planes that the camera tells, for blades that lean `overhang` metres out of their tile and up to `height`.
 func count_in_view(field: GrassField, overhang: float, height: float) -> int:
 	var count := 0
 	var half := Vector3(0.5 * field.get_tile_size() + overhang, 0.5 * height, 0.5 * field.get_tile_size() + overhang)

@@ -82,7 +82,7 @@ func after() -> void:
 	XRServer.remove_interface(headset)
 
 
-## What `eye` sees of a point of the world, by the interface's own numbers.
+## Returns what `eye` sees of a point of the world, by the interface's own numbers.
 func is_in_view(eye: int, point: Vector3) -> bool:
 	var size := headset.get_render_target_size()
 	var projection := headset.get_projection_for_view(eye, size.x / size.y, camera.near, camera.far)

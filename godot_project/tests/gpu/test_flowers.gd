@@ -59,7 +59,7 @@ func _check_no_flowers(image: Image) -> void:
 	assert_eq(share_of(image, is_violet), 0.0, "no flower")
 
 
-## How much more violet than green the field is, in linear light.
+## Returns how much more violet than green the field is, in linear light.
 func violet_of(image: Image) -> float:
 	var sum := 0.0
 	for y in image.get_height():
@@ -191,7 +191,7 @@ func _tips(field: GrassField) -> PackedVector3Array:
 	return _knots(field, KNOTS - 1)
 
 
-## The places of one knot of all blades.
+## Returns the places of one knot of all blades.
 func _knots(field: GrassField, knot: int) -> PackedVector3Array:
 	var places := PackedVector3Array()
 	var tiles := field.get_grid_size()

@@ -16,7 +16,7 @@ func columns_at(image: Image, distance: float) -> Array[PackedFloat32Array]:
 	return rows
 
 
-## How much lighter the lightest tenth of the columns is than the darkest, over what both are without wind: the mean of the rows.
+## Returns how much lighter the lightest tenth of the columns is than the darkest, over what both are without wind: the mean of the rows.
 func contrast(windy: Array[PackedFloat32Array], calm: Array[PackedFloat32Array]) -> float:
 	var sum := 0.0
 	for row in windy.size():

@@ -73,7 +73,7 @@ func before() -> void:
 	camera.compositor.compositor_effects = [vectors]
 
 
-## Where a row of the picture crosses the blade, pixels; NAN where it does not.
+## Returns where a row of the picture crosses the blade, pixels; NAN where it does not.
 func crossing(image: Image, row: int) -> float:
 	var sum := 0.0
 	var weight := 0
@@ -105,7 +105,7 @@ func errors_of(frame_count: int, each_frame: Callable) -> Vector2:
 	return Vector2(error, moved) / maxi(counted, 1) if counted > frame_count / 2 else Vector2(INF, 0)
 
 
-## A field of few blades, one of which the camera sees, and nothing else: its tip.
+## Adds a field of few blades, one of which the camera sees, and nothing else: its tip.
 func add_one_blade(wind_speed: float, properties := {}) -> GrassField:
 	var sparse := {size = Vector2(2, 2), density = 4.0, wind_speed = wind_speed, soil_enabled = false}
 	var field := add_seen_field(sparse.merged(properties, true))
@@ -117,7 +117,7 @@ func add_one_blade(wind_speed: float, properties := {}) -> GrassField:
 	return field
 
 
-## A green stalk, drawn in place of the blade.
+## Returns a green stalk, drawn in place of the blade.
 func stalks() -> Dictionary:
 	var box := BoxMesh.new()
 	box.size = Vector3(0.02, 1.0, 0.02)

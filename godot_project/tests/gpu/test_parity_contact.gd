@@ -18,7 +18,7 @@ const FEW_APART := 0.02  # share of the blades
 const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 
-## How far the knots of a tile are from `rest` on average, mm: on the CPU and on the GPU.
+## Returns how far the knots of a tile are from `rest` on average, mm: on the CPU and on the GPU.
 func mean_bends(tile: Vector2i, rest: PackedVector3Array) -> Array[float]:
 	var bends: Array[float] = []
 	for field: GrassField in [cpu, gpu]:
@@ -103,7 +103,7 @@ func sharp_bodies() -> Array[AnimatableBody3D]:
 	return bodies
 
 
-## How near one of these points is to the middle line of one of the bodies, metres.
+## Returns how near one of these points is to the middle line of one of the bodies, metres.
 func nearest(points: PackedVector3Array, bodies: Array[AnimatableBody3D]) -> float:
 	var least := INF
 	for body in bodies:

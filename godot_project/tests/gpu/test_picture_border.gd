@@ -32,7 +32,7 @@ func columns(image: Image) -> PackedFloat32Array:
 	return means
 
 
-## Metres between where the first fifth and the last fifth of the way from grass to floor is done.
+## Returns metres between where the first fifth and the last fifth of the way from grass to floor is done.
 func width_of_border(image: Image) -> float:
 	var means := columns(image)
 	var inside := 0.0

@@ -34,7 +34,7 @@ func light_of(image: Image) -> float:
 	return sum / (image.get_width() * image.get_height())
 
 
-## The light of pictures as things are now, one for each of HEIGHTS.
+## Returns the light of pictures as things are now, one for each of HEIGHTS.
 func lights() -> Array[float]:
 	var all: Array[float] = []
 	for height in HEIGHTS:

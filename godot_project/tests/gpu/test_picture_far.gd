@@ -41,7 +41,7 @@ func look_under(elevation: float) -> void:
 	look(8.0 / tan(deg_to_rad(0.5 * camera.fov)) * Vector3(0, sin(angle), cos(angle)), Vector3.ZERO)
 
 
-## Pictures of `size` as they are now, one for each of the sun's rotations: the same blades are drawn in all of them.
+## Returns pictures of `size` as they are now, one for each of the sun's rotations: the same blades are drawn in all of them.
 func pictures_in(lights: Array[Vector3], size: Vector2i) -> Array[Image]:
 	viewport.size = size
 	picture_size = size
@@ -130,7 +130,7 @@ func knoll_height(x: float, z: float) -> float:
 	return 2.0 * exp(-(x * x + z * z) / 30.0)
 
 
-## A field of 32 m with a knoll on its map, soil with hardly a blade on it.
+## Adds a field of 32 m with a knoll on its map, soil with hardly a blade on it.
 func add_knoll(properties := {}) -> GrassField:
 	var heights := Image.create_empty(65, 65, false, Image.FORMAT_RF)
 	for z in 65:

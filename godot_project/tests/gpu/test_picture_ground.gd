@@ -44,7 +44,7 @@ func light(image: Image) -> Color:
 	return sum / (image.get_width() * image.get_height())
 
 
-## How much the light of pixels differs, as a share of their mean.
+## Returns how much the light of pixels differs, as a share of their mean.
 func contrast(image: Image) -> float:
 	var mean_light := light(image).get_luminance()
 	var sum := 0.0
@@ -61,7 +61,7 @@ func test_sparse_grass_stands_on_soil_and_litter_not_on_a_green_carpet() -> void
 	assert_greater(bare.r, bare.g, "earth is not green")
 
 
-## The mean light and the greatest contrast of four pictures, the first from `height` metres, each next one `step` higher.
+## Returns the mean light and the greatest contrast of four pictures, the first from `height` metres, each next one `step` higher.
 func near_ground(height: float, step: float) -> Dictionary:
 	var mean := Color(0, 0, 0, 0)
 	var most := 0.0

@@ -40,7 +40,7 @@ func hook_of_shown() -> ShaderInclude:
 	return hook(code + "}\n")
 
 
-## A picture of the field that shows `what`, one of SHOWN, as light of its own. Linear.
+## Returns a picture of the field that shows `what`, one of SHOWN, as light of its own. Linear.
 func shown(field: GrassField, what: String) -> Color:
 	assert_true(what in SHOWN, what)
 	field.set_hook_parameter("hook_shown", SHOWN.find(what))

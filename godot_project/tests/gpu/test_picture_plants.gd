@@ -3,7 +3,7 @@
 extends "res://tests/species_case.gd"
 
 
-## A box whose material shows the colours of its vertices.
+## Returns a box whose material shows the colours of its vertices.
 func painted_box(color: Color) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	var box := BoxMesh.new()
@@ -52,7 +52,7 @@ func test_plants_show_all_channels_of_their_vertices() -> void:
 		field.free()
 
 
-## A thin green stem with a wide red head on the last fifth of its height.
+## Returns a thin green stem with a wide red head on the last fifth of its height.
 func stem_with_head() -> ArrayMesh:
 	var mesh := ArrayMesh.new()
 	for part: Array in [[Vector3(0.03, 0.8, 0.03), 0.4, Color(0.1, 0.7, 0.1)], [Vector3(0.25, 0.2, 0.25), 0.9, Color(0.8, 0.1, 0.1)]]:

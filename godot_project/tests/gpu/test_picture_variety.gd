@@ -16,7 +16,7 @@ func spread(values: Array[float]) -> float:
 	return sqrt(values.reduce(func(sum: float, value: float) -> float: return sum + (value - middle) ** 2.0, 0.0) / values.size())
 
 
-## How much the share of blue in green differs from block to block of a picture.
+## Returns how much the share of blue in green differs from block to block of a picture.
 func spread_of_hues(image: Image) -> float:
 	var hues: Array[float] = []
 	for y in 8:
@@ -47,7 +47,7 @@ func test_hues_differ_from_clump_to_clump_and_not_in_the_mean() -> void:
 			assert_near(light_of(varied)[channel] / light_of(even)[channel], 1.0, 0.08, "channel %d of the mean" % channel)
 
 
-## How much the share of the picture in which nothing grows differs from block to block, of about half a tussock.
+## Returns how much the share of the picture in which nothing grows differs from block to block, of about half a tussock.
 func spread_of_gaps(image: Image) -> float:
 	var shares: Array[float] = []
 	for y in range(0, SIDE, 16):

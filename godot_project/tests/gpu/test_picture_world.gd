@@ -14,8 +14,7 @@ func before() -> void:
 
 
 func after() -> void:
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER.path_join(file))
+	remove_folder(FOLDER)
 
 
 func add_world(properties := {}) -> GrassWorld:

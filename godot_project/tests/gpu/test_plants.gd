@@ -7,7 +7,7 @@ const VIOLET := Color(0.7, 0.1, 0.7)
 const LENGTH := 0.7  # metres, of all blades
 
 
-## A thin stalk without colour to count, and a violet box on its tip.
+## Returns a thin stalk without colour to count, and a violet box on its tip.
 func lollipop(side := 0.12, scissor := 0.0) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	var box := BoxMesh.new()
@@ -180,7 +180,7 @@ func test_far_plants_are_pictures_of_their_mesh() -> void:
 	assert_less(memory - int(field.get_statistics().memory), 2 * count * 80 + PICTURES + 50000)
 
 
-## The mean change of a pixel by the shadows of plants, and by those of blades without a mesh.
+## Returns the mean change of a pixel by the shadows of plants, and by those of blades without a mesh.
 func shades(species: GrassSpecies, mesh: Mesh, picture_name: String) -> Vector2:
 	var field := add_plants([species], {soil_enabled = true})
 	var lamp: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
@@ -214,7 +214,7 @@ func test_the_blade_of_a_near_plant_casts_no_shadow() -> void:
 	assert_less(shade.x, 0.4 * shade.y)
 
 
-## The outline of a frond in a few triangles: the preset's own would be drawn near the eye alone in so dense a stand.
+## Returns the outline of a frond in a few triangles: the preset's own would be drawn near the eye alone in so dense a stand.
 func simple_fern() -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)

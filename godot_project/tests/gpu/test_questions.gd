@@ -9,7 +9,7 @@ var _tile: Vector2i
 var _knots_after: Dictionary[int, PackedVector3Array] = {}  # of the CPU's field, which is never late: by step
 
 
-## A pair of fields whose blades have just been let go, and swing.
+## Adds a pair of fields whose blades have just been let go, and swing.
 func add_swinging_pair(asks := true) -> bool:
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return false
@@ -28,7 +28,7 @@ func remember() -> void:
 	_knots_after[int(cpu.get_counters().steps)] = tile_knots(cpu, _tile)
 
 
-## The step of the CPU's field after which its blades were nearest to `knots`.
+## Returns the step of the CPU's field after which its blades were nearest to `knots`.
 func step_of(knots: PackedVector3Array) -> int:
 	var nearest := -1
 	for step in _knots_after:

@@ -3,7 +3,7 @@
 extends "res://tests/field_case.gd"
 
 
-## Knots of all awake tiles after a ball was led through the grass.
+## Returns knots of all awake tiles after a ball was led through the grass.
 func replay() -> Dictionary[Vector2i, PackedVector3Array]:
 	var field := add_field({size = Vector2(6, 6), sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
 	await frames(2)

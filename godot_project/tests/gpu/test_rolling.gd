@@ -66,7 +66,7 @@ func gap(image: Image) -> int:
 	return image.get_width()
 
 
-## The gaps in the frames of three ticks, while physics is interpolated.
+## Returns the gaps in the frames of three ticks, while physics is interpolated.
 func roll(mode: Node.PhysicsInterpolationMode) -> PackedInt32Array:
 	get_tree().physics_interpolation = true
 	var field := add_seen_field({size = Vector2(8, 0.1), density = 4000.0, pool_tiles = 256})

@@ -42,7 +42,7 @@ func test_from_above_no_dry_blade_is_a_dot() -> void:
 	assert_less(contrast, 0.3)
 
 
-## The standard deviation of the pixels' light in the middle of a picture, as a share of the mean.
+## Returns the standard deviation of the pixels' light in the middle of a picture, as a share of the mean.
 func contrast_of(image: Image) -> float:
 	var sum := 0.0
 	var squares := 0.0

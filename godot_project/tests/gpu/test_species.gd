@@ -88,7 +88,7 @@ func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
 	await check_markers(field)
 
 
-## How much of a picture is blades, and the sum of the heights of all blades, metres; aslant from above.
+## Returns how much of a picture is blades, and the sum of the heights of all blades, metres; aslant from above.
 func find_area(field: GrassField) -> Vector2:
 	look(Vector3(0, 5, 5), Vector3.ZERO)
 	var image := await picture()

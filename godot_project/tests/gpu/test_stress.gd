@@ -41,7 +41,7 @@ func throw_bodies() -> Array[RigidBody3D]:
 	return bodies
 
 
-## The worst segment of all blades of the tiles against `rest`; INF where a number is not finite.
+## Returns the worst segment of all blades of the tiles against `rest`; INF where a number is not finite.
 func stretch(field: GrassField, rest: Dictionary[Vector2i, PackedVector3Array]) -> float:
 	var worst := 0.0
 	for tile in TILES:

@@ -81,7 +81,7 @@ func good_object(type: StringName) -> Object:
 	return null
 
 
-## The class's own methods that are no setters: those have their property's range (test_properties.gd).
+## Returns the class's own methods that are no setters: those have their property's range (test_properties.gd).
 func methods_of(type: StringName) -> Array[Dictionary]:
 	return ClassDB.class_get_method_list(type, true).filter(
 		func(method: Dictionary) -> bool:

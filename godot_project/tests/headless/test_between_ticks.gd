@@ -9,7 +9,7 @@ func after() -> void:
 	get_tree().physics_interpolation = false
 
 
-## What a ball that moves does to a tile: knots of all of its blades, after some ticks.
+## Returns what a ball that moves does to a tile: knots of all of its blades, after some ticks.
 func roll(is_interpolated: bool) -> Dictionary:
 	get_tree().physics_interpolation = is_interpolated
 	var field := add_field()

@@ -6,7 +6,7 @@ const CENTER := Vector2i(4, 4)  # a tile at the middle of the field
 const MIDDLE := Vector3(0.25, 0.25, 0.25)  # above it
 
 
-## A floor under the whole field, which is seen by its area but is no object.
+## Adds a floor under the whole field, which is seen by its area but is no object.
 func add_floor() -> StaticBody3D:
 	var slab := BoxShape3D.new()
 	slab.size = Vector3(40, 1, 40)
@@ -22,7 +22,7 @@ func weightless() -> RigidBody3D:
 	return body
 
 
-## Whether a body at MIDDLE is felt: waits, and tells whether its tile is under an object.
+## Returns whether a body at MIDDLE is felt: waits, and tells whether its tile is under an object.
 func felt(field: GrassField) -> bool:
 	await seen()
 	return field.get_counters().colliders > 0 and field.is_tile_awake(CENTER)

@@ -5,7 +5,7 @@ extends "res://tests/field_case.gd"
 const Fire := preload("res://demo/fire.gd")
 
 
-## How far along `way` the fire has come without a gap, metres.
+## Returns how far along `way` the fire has come without a gap, metres.
 func reach(fire: Fire, way: Vector2) -> float:
 	var far := 0.0
 	while fire.has_reached(way * (far + Fire.SIDE)):

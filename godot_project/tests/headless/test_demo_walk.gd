@@ -37,7 +37,7 @@ func button(index: JoyButton) -> InputEventJoypadButton:
 	return event
 
 
-## A stick or trigger, pushed as far as that.
+## Returns a stick or trigger, pushed as far as that.
 func stick(axis: JoyAxis, value: float) -> InputEventJoypadMotion:
 	var event := InputEventJoypadMotion.new()
 	event.axis = axis
@@ -73,7 +73,7 @@ func _send(event: InputEvent, is_pressed: bool) -> void:
 	Input.parse_input_event(sent)
 
 
-## How far down the grass lies, as a mean over a tile of a square metre: a foot covers a tenth of it.
+## Returns how far down the grass lies, as a mean over a tile of a square metre: a foot covers a tenth of it.
 func lies(place: Vector3) -> float:
 	return -field.get_bend_at(place).y
 

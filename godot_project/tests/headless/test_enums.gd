@@ -5,7 +5,7 @@ extends "res://tests/field_case.gd"
 const NUMBERS: Array[int] = [-1, 99, 1 << 40, (1 << 40) + 1, -(1 << 40)]
 
 
-## The properties of `type` that the inspector shows as an enum, and how its setter's message names them.
+## Returns the properties of `type` that the inspector shows as an enum, and how its setter's message names them.
 func enums_of(type: StringName) -> Array[String]:
 	var names: Array[String] = []
 	for property in ClassDB.class_get_property_list(type, true):

@@ -20,7 +20,7 @@ func add_meadow(properties := {}) -> GrassField:
 	return add_field({size = Vector2(16, 16), density = 64.0}.merged(properties, true))
 
 
-## Where the tips of the tile around `place` lean, shares of their blades.
+## Returns where the tips of the tile around `place` lean, shares of their blades.
 func lean_at(field: GrassField, place: Vector3) -> Vector3:
 	var knots := tile_knots(field, field.get_tile_at(place))
 	var sum := Vector3.ZERO
@@ -39,7 +39,7 @@ func test_a_blast_flattens_the_grass_and_it_rises_again() -> void:
 	await ticks(12)
 	assert_eq(field.get_counters().forces, 1)
 	assert_greater(field.get_awake_tile_count(), 20)
-	assert_eq(field.get_counters().list_entries, 0, "a force is no collider")
+	assert_eq(field.get_counters().colliders, 0, "a force is no collider")
 	for i in places.size():
 		var lean := lean_at(field, places[i])
 		var outwards := places[i].normalized()

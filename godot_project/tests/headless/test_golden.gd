@@ -38,7 +38,7 @@ func species(share: float, frequency: float) -> GrassSpecies:
 	return made
 
 
-## A field that lies aslant in the world, painted all over: thin, high, combed and mown places, a hill.
+## Adds a field that lies aslant in the world, painted all over: thin, high, combed and mown places, a hill.
 func add_painted_field(method: GrassField.SolverMethod) -> GrassField:
 	var field := add_field(
 		{

@@ -3,7 +3,7 @@
 extends "res://tests/hill_case.gd"
 
 
-## How far the roots of some tiles are from the hill, metres.
+## Returns how far the roots of some tiles are from the hill, metres.
 func off_the_hill(field: GrassField, up := 0.0) -> float:
 	var most := 0.0
 	var count := field.get_grid_size()
@@ -161,7 +161,7 @@ func test_what_cannot_be_baked() -> void:
 	assert_eq(field.bake_ground(), 0, "no ground")
 
 
-## A crate on a floor: on layers 1 and 5, the floor below a node that is in the group "ground".
+## Adds a crate on a floor: on layers 1 and 5, the floor below a node that is in the group "ground".
 func add_crate() -> GrassField:
 	var land := Node3D.new()
 	land.add_to_group(&"ground")

@@ -84,7 +84,7 @@ func test_what_is_no_line() -> void:
 	assert_eq(field.get_cover(Vector3(NAN, 0, 0), Vector3.ZERO), 0.0)
 
 
-## The rate with which a body brushes grass that moves so far in each tick.
+## Returns the rate with which a body brushes grass that moves so far in each tick.
 func _rustle(field: GrassField, body: Node3D, step: Vector3) -> float:
 	for i in 6:
 		body.position += step

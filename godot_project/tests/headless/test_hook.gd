@@ -15,7 +15,7 @@ func include(code: String) -> ShaderInclude:
 	return made
 
 
-## The names of the hook's uniforms among the field's properties.
+## Returns the names of the hook's uniforms among the field's properties.
 func listed(field: GrassField) -> Array:
 	var names := field.get_property_list().map(func(property: Dictionary) -> String: return property.name)
 	return names.filter(func(name: String) -> bool: return name.begins_with("hook/"))

@@ -48,7 +48,7 @@ func push(body: PhysicsBody3D, kind: String) -> void:
 			body.position.x += STEP
 
 
-## The frontmost knot that the body has pushed aside, along x: metres from the middle of the body that is drawn.
+## Returns the frontmost knot that the body has pushed aside, along x: metres from the middle of the body that is drawn.
 func front(field: GrassField, rest: Dictionary[Vector2i, PackedVector3Array], body: PhysicsBody3D) -> float:
 	var most := -INF
 	for tile: Vector2i in rest:
@@ -59,7 +59,7 @@ func front(field: GrassField, rest: Dictionary[Vector2i, PackedVector3Array], bo
 	return most
 
 
-## What front() is in the frame after each tick of motion, by the body's place in steps of a tick.
+## Returns what front() is in the frame after each tick of motion, by the body's place in steps of a tick.
 func fronts(kind: String) -> Dictionary[int, float]:
 	Engine.physics_ticks_per_second = TICKS_A_SECOND
 	var field := add_field({size = Vector2(8, 1), density = 1024.0})

@@ -6,7 +6,7 @@ const LedgeScene = preload("res://tests/ledge_scene.gd")
 const OFF := 0.03  # metres from the ground at which a blade counts as hanging or buried
 
 
-## How many of the field's standing blades are off the ground, and how many stand.
+## Returns how many of the field's standing blades are off the ground, and how many stand.
 func count_off(field: GrassField) -> Vector2i:
 	var space := field.get_world_3d().direct_space_state
 	var query := PhysicsRayQueryParameters3D.new()

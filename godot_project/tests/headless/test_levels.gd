@@ -146,7 +146,7 @@ func test_bands_that_are_none() -> void:
 	assert_eq(none.explain(Vector3.ZERO).reason, GrassField.REASON_LEVEL)
 
 
-## The mean direction from root to tip of a tile's blades, in the world's axes, as shares of their lengths.
+## Returns the mean direction from root to tip of a tile's blades, in the world's axes, as shares of their lengths.
 func mean_reach(field: GrassField) -> Vector3:
 	var knots := tile_knots(field, field.get_grid_size() / 2)
 	var sum := Vector3.ZERO

@@ -11,9 +11,7 @@ func before() -> void:
 
 
 func after() -> void:
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER + file)
-	DirAccess.remove_absolute(FOLDER)
+	remove_folder(FOLDER)
 
 
 func _brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:

@@ -34,7 +34,7 @@ func brush(tool: GrassBrush.Tool) -> GrassBrush:
 	return made
 
 
-## The map with one more stroke.
+## Returns the map with one more stroke.
 func painted(map: GrassMap, tool: GrassBrush.Tool, x: float) -> GrassMap:
 	var copy: GrassMap = map.duplicate()
 	copy.stroke(brush(tool), Vector2(x, 0), Vector2(x, 5))

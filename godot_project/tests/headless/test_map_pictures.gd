@@ -11,9 +11,7 @@ func before() -> void:
 
 
 func after() -> void:
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER + file)
-	DirAccess.remove_absolute(FOLDER)
+	remove_folder(FOLDER)
 
 
 func channels() -> Array:
@@ -24,7 +22,7 @@ func is_in_metres(channel: int) -> bool:
 	return channel == GrassMap.CHANNEL_GROUND
 
 
-## A map with something in every channel, over several chunks.
+## Returns a map with something in every channel, over several chunks.
 func painted_map() -> GrassMap:
 	var map := GrassMap.new()
 	map.base_density = 0.25

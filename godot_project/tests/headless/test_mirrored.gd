@@ -28,7 +28,7 @@ const DEEP := 0.01  # metres within a body: the physics server rounds corners of
 const APART := 0.12  # metres: blades farther from the body stand as they grew
 
 
-## A wedge that is like no turned form of its mirrored one.
+## Returns a wedge that is like no turned form of its mirrored one.
 func wedge() -> ConvexPolygonShape3D:
 	var shape := ConvexPolygonShape3D.new()
 	shape.points = PackedVector3Array(
@@ -43,7 +43,7 @@ func wedge() -> ConvexPolygonShape3D:
 	return shape
 
 
-## Whether a ball of `radius` at `place` meets anything.
+## Returns whether a ball of `radius` at `place` meets anything.
 func meets(place: Vector3, radius: float) -> bool:
 	var query := PhysicsShapeQueryParameters3D.new()
 	query.shape = ball(radius)
@@ -51,7 +51,7 @@ func meets(place: Vector3, radius: float) -> bool:
 	return not get_world_3d().direct_space_state.intersect_shape(query, 1).is_empty()
 
 
-## Whether all places within DEEP of `place` lie in a body.
+## Returns whether all places within DEEP of `place` lie in a body.
 func is_inside(place: Vector3) -> bool:
 	var query := PhysicsPointQueryParameters3D.new()
 	for way: Vector3 in [Vector3.RIGHT, Vector3.LEFT, Vector3.UP, Vector3.DOWN, Vector3.BACK, Vector3.FORWARD]:

@@ -19,7 +19,7 @@ func has_monitors() -> int:
 	return count
 
 
-## The words that the class reference sets as code in the description of a method: keys, for the most part.
+## Returns the words that the class reference sets as code in the description of a method: keys, for the most part.
 func documented(method: String) -> Array[String]:
 	var text := FileAccess.get_file_as_string(ProjectSettings.globalize_path(CLASS_REFERENCE))
 	var description := text.get_slice('<method name="%s"' % method, 1).get_slice("</method>", 0)

@@ -39,7 +39,7 @@ func make(kind: String) -> Node3D:
 	return body
 
 
-## A mover of the kind in the tree at `place`, at rest.
+## Adds a mover of the kind in the tree at `place`, at rest.
 func add_mover(kind: String, place: Vector3, field: GrassField) -> Node3D:
 	var mover := make(kind)
 	mover.position = place
@@ -63,7 +63,7 @@ func push(mover: Node3D, kind: String, velocity: Vector3, jump := Vector3.ZERO) 
 	await ticks(1)
 
 
-## The places along x, from `first` metres on, where grass has woken.
+## Returns the places along x, from `first` metres on, where grass has woken.
 func woken(field: GrassField, first: float) -> int:
 	var count := 0
 	for i in PLACES:
@@ -71,7 +71,7 @@ func woken(field: GrassField, first: float) -> int:
 	return count
 
 
-## A field with one row of tiles to each side of the way, which stay awake.
+## Adds a field with one row of tiles to each side of the way, which stay awake.
 func add_track() -> GrassField:
 	return add_field({size = Vector2(PLACES + 2, 2), density = 64.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
 

@@ -9,7 +9,7 @@ const PARTS: Array[String] = ["animatable", "frozen", "character", "static"]
 const SIDE := 12.0  # metres, of the raft and its lawn
 
 
-## A raft with its top at y = 0, at `place`.
+## Adds a raft with its top at y = 0, at `place`.
 func add_raft(kind: String, parent: Node, place := Vector3.ZERO) -> PhysicsBody3D:
 	var raft: PhysicsBody3D
 	match kind:

@@ -65,7 +65,7 @@ func test_slots_come_with_tiles_that_wake_and_go_after_them() -> void:
 	assert_less(field.get_memory_usage(), at_rest + 200000, "bytes: lists of bodies stay")
 
 
-## The knots of a tile in each tick in which a ball rolls over it.
+## Returns the knots of a tile in each tick in which a ball rolls over it.
 func roll(field: GrassField) -> Array[PackedVector3Array]:
 	var place := Vector3(5.25, 0.2, 5.25)
 	var body := add_held_body(ball(0.2), place)

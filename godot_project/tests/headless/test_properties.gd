@@ -21,14 +21,14 @@ const BAD: Array[float] = [NAN, INF, -INF, 0.0, -1.0, 1e30]
 const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "Look", "Surface", "Level of Detail", "Debug"]
 
 
-## The properties of the class itself that are stored in a scene.
+## Returns the properties of the class itself that are stored in a scene.
 func properties_of(type: StringName) -> Array[Dictionary]:
 	return ClassDB.class_get_property_list(type, true).filter(
 		func(property: Dictionary) -> bool: return property.usage & PROPERTY_USAGE_STORAGE
 	)
 
 
-## The numbers with a range: name -> [least, greatest].
+## Returns the numbers with a range: name -> [least, greatest].
 func ranges_of(type: StringName) -> Dictionary[String, PackedFloat64Array]:
 	var ranges: Dictionary[String, PackedFloat64Array] = {}
 	for property in properties_of(type):

@@ -82,7 +82,7 @@ func test_a_field_that_comes_later_has_the_level() -> void:
 	assert_eq(pool_of(field), 800, "also one that was being made meanwhile")
 
 
-## Knots of a tile that a ball has rolled over, at a level of quality.
+## Returns knots of a tile that a ball has rolled over, at a level of quality.
 func rolled_over(rate: float, level: GrassQuality.Level) -> PackedVector3Array:
 	GrassQuality.set_level(level)
 	var field := add_field({contact_rate = rate})

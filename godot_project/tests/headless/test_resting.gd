@@ -40,14 +40,14 @@ func rested(fields: Array[GrassField]) -> void:
 	await wait_until(rest, "the fields rest", true)
 
 
-## Whether the field is visited within some ticks.
+## Returns whether the field is visited within some ticks.
 func stirs(field: GrassField, count := SOON) -> bool:
 	var before: int = field.get_counters().visited_ticks
 	await ticks(count)
 	return field.get_counters().visited_ticks > before
 
 
-## A resting field on a floor.
+## Adds a resting field on a floor.
 func add_resting_field(properties := {}) -> GrassField:
 	add_floor()
 	var field := add_field(properties)

@@ -16,7 +16,7 @@ func vertex(x: int, z: int) -> Vector3:
 	return Vector3(x - CELLS / 2, 5.0 * noise.get_noise_2d(x, z), z - CELLS / 2)
 
 
-## The height of the terrain at a place: its cells' common edges join (x + 1, z) and (x, z + 1).
+## Returns the height of the terrain at a place: its cells' common edges join (x + 1, z) and (x, z + 1).
 func height_at(place: Vector2) -> float:
 	var corner := (place + Vector2.ONE * CELLS / 2).floor()
 	var t := place + Vector2.ONE * CELLS / 2 - corner
@@ -52,7 +52,7 @@ func trimesh() -> ConcavePolygonShape3D:
 	return shape
 
 
-## The share of places where the field's ground is more than 2 cm off the terrain.
+## Returns the share of places where the field's ground is more than 2 cm off the terrain.
 func share_off(field: GrassField) -> float:
 	var random := RandomNumberGenerator.new()
 	random.seed = 5

@@ -12,7 +12,7 @@ func classes() -> Array[StringName]:
 	return found
 
 
-## The class's own properties, by name. One of an index is there, too: `hook/...` and others that only an object has are not.
+## Returns the class's own properties, by name. One of an index is there, too: `hook/...` and others that only an object has are not.
 func properties_of(type: StringName) -> Array[String]:
 	var names: Array[String] = []
 	for property in ClassDB.class_get_property_list(type, true):
@@ -91,7 +91,7 @@ func test_nodes_make_nothing_in_a_game() -> void:
 		assert_eq(node.get(changed), 3.25)
 
 
-## How many objects the engine makes while `work` runs: it counts them in their instances' ids.
+## Returns how many objects the engine makes while `work` runs: it counts them in their instances' ids.
 func objects_made(work: Callable) -> int:
 	var number := func() -> int: return (RefCounted.new().get_instance_id() >> 24) & 0x7fffffff
 	var before: int = number.call()

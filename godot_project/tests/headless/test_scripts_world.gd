@@ -77,7 +77,7 @@ func new_species(seed_: int) -> Array[GrassSpecies]:
 	return [species]
 
 
-## A scene whose root has a script, in which `count` counts its fields. add_streamed() starts a world twice, with a field each.
+## Returns a scene whose root has a script, in which `count` counts its fields. add_streamed() starts a world twice, with a field each.
 func scripted_pattern(code: String, properties := {}) -> PackedScene:
 	var script := GDScript.new()
 	script.source_code = "extends GrassField\nstatic var count := 0\n" + code

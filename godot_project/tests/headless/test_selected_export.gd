@@ -118,7 +118,7 @@ func flat() -> Image:
 	return heights
 
 
-## What the export prints.
+## Returns what the export prints.
 func export_pack(preset: String) -> String:
 	var folder := ProjectSettings.globalize_path(FOLDER)
 	var pack := folder.path_join("game/%s.pck" % preset)
@@ -127,7 +127,7 @@ func export_pack(preset: String) -> String:
 	return said
 
 
-## What a game prints that was given the library, or not, and nothing else of the project.
+## Returns what a game prints that was given the library, or not, and nothing else of the project.
 func play(preset: String, has_library := true) -> String:
 	var game := ProjectSettings.globalize_path(FOLDER).path_join("game")
 	var link := game.path_join("addons/grass_field/bin")

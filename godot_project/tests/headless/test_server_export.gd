@@ -99,7 +99,7 @@ func make_project(folder: String) -> void:
 	write("elsewhere/.gdignore", "")
 
 
-## What the server says; `r_exported` gets what the export printed.
+## Returns what the server says; `r_exported` gets what the export printed.
 func export_and_ask(folder: String, r_exported: Array[String]) -> Variant:
 	var pack := folder.path_join("elsewhere/server.pck")
 	r_exported.append(run(["--path", folder, "--export-pack", "Server", pack]))

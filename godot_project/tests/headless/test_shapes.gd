@@ -36,7 +36,7 @@ func octahedron(radius: float) -> ConvexPolygonShape3D:
 	return shape
 
 
-## How deep `point`, in the shape's space, lies inside of it, metres; negative outside.
+## Returns how deep `point`, in the shape's space, lies inside of it, metres; negative outside.
 func depth(shape: Shape3D, point: Vector3) -> float:
 	var across := Vector2(point.x, point.z).length()
 	if shape is SphereShape3D:
@@ -52,7 +52,7 @@ func depth(shape: Shape3D, point: Vector3) -> float:
 	return (shape.points[0].length() - absf(point.x) - absf(point.y) - absf(point.z)) / sqrt(3.0)
 
 
-## The deepest that `point` lies in any shape of the body.
+## Returns the deepest that `point` lies in any shape of the body.
 func depth_in(body: PhysicsBody3D, point: Vector3) -> float:
 	var deepest := -INF
 	for shape: CollisionShape3D in body.find_children("*", "CollisionShape3D", true, false):
@@ -60,7 +60,7 @@ func depth_in(body: PhysicsBody3D, point: Vector3) -> float:
 	return deepest
 
 
-## The deepest that a free knot lies in the body, over all blades whose root does not; and how far blades were bent.
+## Returns the deepest that a free knot lies in the body, over all blades whose root does not; and how far blades were bent.
 func measure(field: GrassField, body: PhysicsBody3D, rest: Dictionary[Vector2i, PackedVector3Array]) -> Dictionary:
 	var result := {deepest = -INF, bent = 0.0, deepest_at_rest = -INF}
 	for tile in rest:
@@ -161,7 +161,7 @@ func test_shapes_are_disabled_and_enabled() -> void:
 	assert_eq(await collider_count(field), 2, "both are enabled")
 
 
-## Blades that a knot of is as near to the body's place as `radius`.
+## Returns blades that a knot of is as near to the body's place as `radius`.
 func blades_within(field: GrassField, place: Vector3, radius: float) -> int:
 	var count := 0
 	for tile in awake_tiles(field):

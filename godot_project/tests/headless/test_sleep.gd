@@ -60,7 +60,6 @@ func test_awake_as_long_as_a_body_is_there() -> void:
 	await ticks(700)
 	assert_eq(field.get_awake_tile_count(), touched, "its blades stay pressed")
 	assert_eq(field.get_counters().slept, 0)
-	assert_eq(field.get_counters().settling_tiles, 0)
 	body.free()
 	assert_less(await ticks_to_sleep(field), 300)
 
@@ -103,5 +102,4 @@ func test_what_never_calms_down_is_put_to_rest() -> void:
 	await bend_with_ball(field)
 	await ticks(590)
 	assert_greater(field.get_awake_tile_count(), 0, "shortly before ten seconds")
-	assert_eq(field.get_counters().settling_tiles, 0)
-	assert_less(await ticks_to_sleep(field), 60 * field.settle_time + 20)
+	assert_near(await ticks_to_sleep(field), 60 * field.settle_time + 10, 10, "ticks from then on")

@@ -14,7 +14,7 @@ func make(share: float, length := 0.5, properties := {}) -> GrassSpecies:
 	return species
 
 
-## How many blades of the field are which species.
+## Returns how many blades of the field are which species.
 func count(field: GrassField) -> PackedInt32Array:
 	var found := PackedInt32Array()
 	found.resize(8)

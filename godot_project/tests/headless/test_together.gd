@@ -32,7 +32,7 @@ func call_client() -> bool:
 	return true
 
 
-## What the client answers: {ok, hash of its map, cut and wear at PLACE}.
+## Returns what the client answers: {ok, hash of its map, cut and wear at PLACE}.
 func tell(message: Dictionary) -> Dictionary:
 	_port.put_var(message)
 	var answered := func() -> bool:

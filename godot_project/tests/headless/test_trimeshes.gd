@@ -18,7 +18,7 @@ func trimesh(mesh: Mesh) -> ConcavePolygonShape3D:
 	return shape
 
 
-## An upright ring, 4 m wide, whose hole is 3 m wide.
+## Returns an upright ring, 4 m wide, whose hole is 3 m wide.
 func ring() -> ConcavePolygonShape3D:
 	var torus := TorusMesh.new()
 	torus.inner_radius = 1.5

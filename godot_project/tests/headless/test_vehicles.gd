@@ -31,7 +31,7 @@ func add_vehicle() -> VehicleBody3D:
 	return vehicle
 
 
-## How far the grass at a place lies down, shares of its length.
+## Returns how far the grass at a place lies down, shares of its length.
 func pressed_at(field: GrassField, place: Vector3) -> float:
 	return -field.get_bend_at(place).y
 

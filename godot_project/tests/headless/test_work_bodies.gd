@@ -18,7 +18,7 @@ func test_few_calls_of_the_engine() -> void:
 	assert_eq(after.engine_calls - before.engine_calls, 8 * (160 * 3 + 160 / 8 * 8 + 160 / 16 * 4))
 
 
-## A ball on a floor under the grass: asleep after a while.
+## Adds a ball on a floor under the grass: asleep after a while.
 func add_sleeper(field: GrassField) -> RigidBody3D:
 	field.sleep_mode = GrassField.SLEEP_TIMER
 	var floor_shape := BoxShape3D.new()

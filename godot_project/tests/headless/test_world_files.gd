@@ -28,7 +28,7 @@ func density(world: GrassWorld, place := PLACE) -> float:
 	return world.get_field_at(place).get_density_at(place)
 
 
-## What plot (0, 0) has in a folder's file.
+## Returns what plot (0, 0) has in a folder's file.
 func in_file(folder: String, place := PLACE) -> float:
 	var path := folder.path_join("plot_0_0.grassmap")
 	if not FileAccess.file_exists(path):

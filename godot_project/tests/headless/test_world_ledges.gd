@@ -8,7 +8,7 @@ const NO_LEDGE := 15  # all four heights around a place are of its side
 const NEAR := 6.0  # metres around the block that are looked at
 
 
-## A world whose plots follow a rule of this density, on a floor with a block that lies on the border of two plots, baked.
+## Adds a world whose plots follow a rule of this density, on a floor with a block that lies on the border of two plots, baked.
 func add_baked_world(density: float) -> GrassWorld:
 	LedgeScene.add_box(self, Vector3(0, -0.5, 0), Vector3(400, 1, 400))
 	LedgeScene.add_box(self, Vector3(0.3, 0.5, 20.2), Vector3(4, 1, 3), 0.3)

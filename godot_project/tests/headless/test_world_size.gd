@@ -10,7 +10,7 @@ const MEMORY := 100.0  # MB
 const MOST_BYTES := 4e6
 
 
-## A plot on rolling ground, with strokes of every kind all over it.
+## Returns a plot on rolling ground, with strokes of every kind all over it.
 func painted_plot(seed_number: int) -> GrassMap:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = seed_number

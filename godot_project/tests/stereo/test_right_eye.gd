@@ -45,7 +45,7 @@ func after() -> void:
 	XRServer.remove_interface(headset)
 
 
-## What the right eye was shown last.
+## Returns what the right eye was shown last.
 func right_picture() -> Image:
 	var device := RenderingServer.get_rendering_device()
 	var texture := RenderingServer.texture_get_rd_texture(viewport.get_texture().get_rid())
@@ -53,7 +53,7 @@ func right_picture() -> Image:
 	return Image.create_from_data(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8, device.texture_get_data(texture, 1))
 
 
-## What a camera in the right eye's place is shown.
+## Returns what a camera in the right eye's place is shown.
 func mono_picture() -> Image:
 	viewport.use_xr = false
 	camera = Camera3D.new()
@@ -65,7 +65,7 @@ func mono_picture() -> Image:
 	return await picture()
 
 
-## The share of each strip that shows grass.
+## Returns the share of each strip that shows grass.
 func grass(image: Image) -> PackedFloat32Array:
 	var shares := PackedFloat32Array()
 	for strip in STRIPS:

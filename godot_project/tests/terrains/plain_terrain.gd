@@ -27,7 +27,7 @@ func get_normal(at: Vector3) -> Vector3:
 	return Vector3(-0.2 * cos(0.1 * (at.x - position.x)), 1.0, -0.15)
 
 
-## The colour where the terrain has one; elsewhere grass keeps its own colours.
+## Returns the colour where the terrain has one; elsewhere grass keeps its own colours.
 func get_color(at: Vector3) -> Color:
 	var color := hills.color_at(at.x - position.x, at.z - position.z)
 	return Color(color, 0.0 if color == Color.WHITE else 1.0)

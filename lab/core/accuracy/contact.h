@@ -76,7 +76,7 @@ inline BladeScene make_press(const Config &p_config, const Press &p_press) {
 	return scene;
 }
 
-// How far a blade is from the body's surface, metres.
+// Returns how far a blade is from the body's surface, metres.
 inline float find_gap(const BladeScene &p_scene, int p_blade) {
 	constexpr int POINTS = 16; // of a segment
 	const TileCollider body = p_scene.tile_colliders()[0];
@@ -104,7 +104,7 @@ inline double standoff(const Config &p_config, const Press &p_press) {
 	return sum / std::max(held, 1);
 }
 
-// The farthest that a knot of a held blade goes in a step, in half a second: blade lengths. A tape does not hold it.
+// Returns the farthest that a knot of a held blade goes in a step, in half a second: blade lengths. A tape does not hold it.
 inline double tremble(const Config &p_config, const Press &p_press) {
 	BladeScene scene = make_press(p_config, p_press);
 	float most = 0.0f;
@@ -117,7 +117,7 @@ inline double tremble(const Config &p_config, const Press &p_press) {
 	return double(most);
 }
 
-// A ball at 5 m/s over the blades' roots, the same way again in every step: for the time that contact takes.
+// Returns a ball at 5 m/s over the blades' roots, the same way again in every step: for the time that contact takes.
 inline BladeScene make_swept(const Config &p_config, Keep p_keep) {
 	BladeScene scene = make_scene(p_config, p_keep, 1, 0.5);
 	scene.add(GRASS_SPHERE, Eigen::Vector3f::Zero(), { 0.15f, 0.0f, 0.0f });
@@ -126,7 +126,7 @@ inline BladeScene make_swept(const Config &p_config, Keep p_keep) {
 	return scene;
 }
 
-// The sward that a ball rolls over at p_speed. A tape does not hold it: its blades are of more places in the patch than one.
+// Returns the sward that a ball rolls over at p_speed. A tape does not hold it: its blades are of more places in the patch than one.
 inline std::vector<Sward> ensemble(const Config &p_config, float p_speed, double p_seconds) {
 	return roll_over(p_speed, p_config.substeps / FRAME, p_seconds, [&](BladeScene &r_scene) {
 		r_scene.params.method = p_config.method;

@@ -7,14 +7,14 @@
 
 namespace grass::test {
 
-// The load (m/s^2) under which a cantilever with this first frequency (Hz) and length (m) has gamma = density area load
+// Returns the load (m/s^2) under which a cantilever with this first frequency (Hz) and length (m) has gamma = density area load
 // length^3 / EI.
 inline double load_of_gamma(double p_gamma, double p_frequency, double p_length) {
 	const double swing = 2.0 * std::numbers::pi * p_frequency / 3.5160152685;
 	return p_gamma * swing * swing * p_length;
 }
 
-// The heavy elastica theta'' = -gamma (1 - s) cos theta from the clamp to the tip, by Runge-Kutta of fourth order.
+// Returns the heavy elastica theta'' = -gamma (1 - s) cos theta from the clamp to the tip, by Runge-Kutta of fourth order.
 // Returns theta'(1); r_drop: of the tip, lengths.
 inline double shoot_elastica(double p_gamma, double p_curvature, double &r_drop) {
 	constexpr int STEPS = 2000;
@@ -36,7 +36,7 @@ inline double shoot_elastica(double p_gamma, double p_curvature, double &r_drop)
 	return curvature;
 }
 
-// How far the tip of a horizontal cantilever hangs down, lengths: the curvature at the clamp by bisection.
+// Returns how far the tip of a horizontal cantilever hangs down, lengths: the curvature at the clamp by bisection.
 inline double elastica_drop(double p_gamma) {
 	double low = 0.0, high = p_gamma, drop = 0.0;
 	for (int i = 0; i < 60; i++) {

@@ -71,7 +71,7 @@ void bend_as_held(BladeScene &r_scene, const Release &p_release) {
 	}
 }
 
-// Every frame's tip. p_step(seconds) takes a step.
+// Returns every frame's tip. p_step(seconds) takes a step.
 template <class StepOnce> Track follow(const BladeScene &p_scene, double p_seconds, int p_substeps, const StepOnce &p_step) {
 	Track tips;
 	for (int frame = 0; frame < int(std::lround(p_seconds / FRAME)); frame++) {

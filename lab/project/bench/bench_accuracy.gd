@@ -157,7 +157,7 @@ func _track(
 	return _device.buffer_get_data(track, 0, kept * size)
 
 
-## Milliseconds of a frame, that is of all p_pushes: the best of some batches, as on the CPU. A collider is the same in every step.
+## Returns milliseconds of a frame, that is of all p_pushes: the best of some batches, as on the CPU. A collider is the same in every step.
 func _time(p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[PackedByteArray]) -> float:
 	var tiles := 8 if _software else TIMED_TILES
 	if not _set_up(tiles, p_state, mini(p_colliders.size(), 1)):

@@ -51,7 +51,7 @@ func _add_field(p_mode: GrassField.SleepMode, p_simulated: bool) -> GrassField:
 	return field
 
 
-## The tiles in a tick that are farther from rest, or moved farther, than each of FAR.
+## Returns the tiles in a tick that are farther from rest, or moved farther, than each of FAR.
 func _count(p_field: GrassField, p_still: GrassField, p_row: PackedStringArray) -> PackedStringArray:
 	var tiles: Array[Vector2i] = []
 	for z in p_field.get_grid_size().y:

@@ -65,7 +65,7 @@ func _measure(p_name: String, p_change: Callable) -> PackedStringArray:
 	return [p_name, str(frames), str(now.makings - before), "%.2f" % now.build_ms, "%.1f" % longest, "%.1f" % still]
 
 
-## Milliseconds from the end of the last call to the next frame.
+## Returns milliseconds from the end of the last call to the next frame.
 func _frame() -> float:
 	await get_tree().process_frame
 	var before := _last

@@ -16,7 +16,7 @@ const COUNTS: Array[String] = ["body_reads", "shape_reads", "engine_calls", "til
 
 
 func run(p_software: bool) -> Array[PackedStringArray]:
-	var header: PackedStringArray = ["tiles", "bodies", "awake_tiles", "list_entries"]
+	var header: PackedStringArray = ["tiles", "bodies", "awake_tiles"]
 	for stage in STAGES:
 		header.append_array([stage, stage + "_p95"])
 	header.append_array(COUNTS.map(func(p_name: String) -> String: return p_name + "_a_tick"))
@@ -58,9 +58,7 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 			for stage in STAGES:
 				times.get_or_add(stage, []).append(now[stage])
 	var after := field.get_statistics().merged(field.get_counters())
-	var row: PackedStringArray = [
-		str(field.get_grid_size().x * field.get_grid_size().y), str(p_bodies), str(after.awake_tiles), str(after.list_entries)
-	]
+	var row: PackedStringArray = [str(field.get_grid_size().x * field.get_grid_size().y), str(p_bodies), str(after.awake_tiles)]
 	for stage in STAGES:
 		times[stage].sort()
 		row.append_array(["%.4f" % times[stage][times[stage].size() >> 1], "%.4f" % times[stage][times[stage].size() * 95 / 100]])

@@ -81,7 +81,7 @@ func _waits() -> bool:
 	return now.waiting or now.map_waiting > 0 or now.compiling > 0
 
 
-## Milliseconds since the last frame; the camera moves slowly, since a still picture is not culled again.
+## Returns milliseconds since the last frame; the camera moves slowly, since a still picture is not culled again.
 func _frame() -> float:
 	_camera.position.y += 1e-4
 	await RenderingServer.frame_post_draw

@@ -199,7 +199,7 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	)
 
 
-## Tiles along a side of the square that p_tiles lie in.
+## Returns tiles along a side of the square that p_tiles lie in.
 func _across(p_tiles: int) -> int:
 	return int(sqrt(p_tiles))
 

@@ -70,7 +70,7 @@ func _put_on() -> bool:
 	return true
 
 
-## Milliseconds of a frame. The rig moves slowly, since a still picture is not culled again.
+## Returns milliseconds of a frame. The rig moves slowly, since a still picture is not culled again.
 func _measure(p_level: String, p_software: bool) -> float:
 	_field.visible = p_level != "nothing"
 	GrassQuality.set_level(LEVELS[p_level])

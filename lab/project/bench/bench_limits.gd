@@ -41,7 +41,7 @@ func _row(p_stage: String, p_threads: int, p_ms: float) -> PackedStringArray:
 	return [p_stage, str(p_threads), "%.4f" % p_ms, "%.3f" % (operations / maxf(p_ms, 1e-6) * 1e-9)]
 
 
-## Milliseconds that p_mesh takes longer with the sums than without.
+## Returns milliseconds that p_mesh takes longer with the sums than without.
 func _time_drawn(p_size: Vector2i, p_stage: String, p_code: String, p_mesh: Mesh) -> float:
 	var view := SubViewport.new()
 	view.size = p_size

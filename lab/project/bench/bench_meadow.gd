@@ -45,7 +45,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 	return rows
 
 
-## The frame timer's results, and the field's statistics.
+## Returns the frame timer's results, and the field's statistics.
 func _measure(p_kind: String, p_shadows: bool, p_software: bool) -> Dictionary:
 	var camera := Scenery.add_camera(self)
 	var sun := Scenery.add_sun(self, p_shadows)

@@ -74,7 +74,7 @@ func _measure(p_mover: String, p_share: float) -> PackedStringArray:
 	return row
 
 
-## The place along x, moving to and fro at SPEED.
+## Returns the place along x, moving to and fro at SPEED.
 func _place(p_seconds: float) -> float:
 	return 2.0 * WAY * absf(fposmod(SPEED * p_seconds / (4.0 * WAY), 1.0) * 2.0 - 1.0) - WAY
 
@@ -142,7 +142,7 @@ func _vehicle() -> VehicleBody3D:
 	return vehicle
 
 
-## A chain of bones, 0.2 m each, a little above the ground.
+## Returns a chain of bones, 0.2 m each, a little above the ground.
 func _skeleton() -> Skeleton3D:
 	var skeleton := Skeleton3D.new()
 	for i in BONES + 1:
@@ -156,7 +156,7 @@ func _skeleton() -> Skeleton3D:
 	return skeleton
 
 
-## A ball whose points are all pinned: it keeps its shape and stays where it is put.
+## Returns a ball whose points are all pinned: it keeps its shape and stays where it is put.
 func _soft_body() -> SoftBody3D:
 	var sphere := SphereMesh.new()
 	sphere.radius = 0.3

@@ -55,7 +55,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 	return rows
 
 
-## Milliseconds of each of p_frames frames: {wall, gpu}.
+## Returns milliseconds of each of p_frames frames: {wall, gpu}.
 func _frames(p_frames: int) -> Dictionary:
 	var wall: Array[float] = []
 	var gpu: Array[float] = []

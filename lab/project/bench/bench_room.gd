@@ -62,7 +62,7 @@ func _make_texture(p_size: int) -> RID:
 	return _device.texture_create(format, RDTextureView.new())
 
 
-## Milliseconds of each of p_count frames.
+## Returns milliseconds of each of p_count frames.
 func _frames(p_count: int) -> Array[float]:
 	var times: Array[float] = []
 	var before := Time.get_ticks_usec()

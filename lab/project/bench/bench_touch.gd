@@ -12,7 +12,7 @@ const BEFORE := 2  # frames that are listed before the touch
 const FRAMES := 30
 const SLEEP := 900  # frames, until all slots are freed
 const SOFTWARE := 0.125  # share of bodies and of the side, where the GPU is software
-const COUNTERS := ["pool_slots", "woken", "gather_ms", "tiles_ms", "upload_ms", "pool_ms"]
+const COUNTERS := ["pool_slots", "woken", "gather_ms", "tiles_ms", "upload_ms"]
 const TIMES := ["wall_ms", "reports_ms", "tick_ms", "frame_ms", "draw_ms", "simulate_ms"]
 
 var _share := 1.0

@@ -100,7 +100,7 @@ func _clear() -> void:
 	_walkers.clear()
 
 
-## Milliseconds of each of p_count frames. p_walk: bodies walk meanwhile, and turn round at the border.
+## Returns milliseconds of each of p_count frames. p_walk: bodies walk meanwhile, and turn round at the border.
 func _frames(p_count: int, p_walk := false) -> Array[float]:
 	var times: Array[float] = []
 	var before := Time.get_ticks_usec()

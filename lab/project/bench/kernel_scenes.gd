@@ -113,7 +113,7 @@ static func _body(p_shape: int, p_phase: int, p_moves: bool) -> PackedByteArray:
 	return _record(p_shape, size, places[0], places[1], turns[0], turns[1])
 
 
-## The planes of a stone.
+## Returns the planes of a stone.
 static func stone() -> PackedByteArray:
 	var planes := PackedFloat32Array()
 	for i in HULL_PLANES:

@@ -7,7 +7,7 @@ static func is_software() -> bool:
 	return RenderingServer.get_rendering_device() == null or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
 
 
-## The median; 0 without values.
+## Returns the median; 0 without values.
 static func median(p_values: Array[float]) -> float:
 	var sorted := p_values.duplicate()
 	sorted.sort()

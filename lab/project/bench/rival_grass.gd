@@ -150,7 +150,7 @@ func _fill(p_multimesh: RID, p_count: int, p_side: float) -> void:
 	device.free_rid(shader)
 
 
-## A blade half a metre long that leans and narrows: two vertices a row, one triangle at the tip.
+## Returns a blade half a metre long that leans and narrows: two vertices a row, one triangle at the tip.
 func _make_mesh(p_segments: int, p_widening: float) -> ArrayMesh:
 	var places := PackedVector3Array()
 	var normals := PackedVector3Array()

@@ -13,7 +13,7 @@ static func add_ground(p_to: Node3D) -> void:
 	p_to.add_child(ground)
 
 
-## The camera that draws, until another one is made current.
+## Adds the camera that draws, until another one is made current.
 static func add_camera(p_to: Node3D) -> Camera3D:
 	var camera := Camera3D.new()
 	camera.far = 600.0
@@ -42,7 +42,7 @@ static func compiled(p_field: GrassField) -> void:
 		push_error("A pass of the simulation has not been compiled in two minutes: the times that follow are not its own.")
 
 
-## The demo's bodies, thrown across p_side metres. The same seed gives the same throw.
+## Returns the demo's bodies, thrown across p_side metres. The same seed gives the same throw.
 static func throw(p_to: Node3D, p_count: int, p_side: float, p_seed: int) -> Array[RigidBody3D]:
 	var source := Bodies.new(p_seed)
 	var thrown: Array[RigidBody3D] = []
@@ -54,7 +54,7 @@ static func throw(p_to: Node3D, p_count: int, p_side: float, p_seed: int) -> Arr
 	return thrown
 
 
-## A ball of 0.4 m that its benchmark moves.
+## Adds a ball of 0.4 m that its benchmark moves.
 static func add_ball(p_to: Node3D, p_place: Vector3) -> AnimatableBody3D:
 	var body := AnimatableBody3D.new()
 	body.sync_to_physics = false
@@ -77,7 +77,7 @@ static func add_crowd(p_to: Node3D, p_count: int, p_side: float) -> Array[Animat
 	return balls
 
 
-## A flat box in the tips of the grass, p_side metres wide: every tile below it is awake and has one object.
+## Adds a flat box in the tips of the grass, p_side metres wide: every tile below it is awake and has one object.
 static func add_lid(p_to: Node3D, p_side: float) -> AnimatableBody3D:
 	var body := AnimatableBody3D.new()
 	var shape := CollisionShape3D.new()

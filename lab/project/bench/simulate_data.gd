@@ -12,7 +12,7 @@ static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: i
 	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0, p_slot, BLADES, 1, p_slot % ROOM]
 
 
-## The push constant of a step at 60 Hz. p_load: m/s^2.
+## Returns the push constant of a step at 60 Hz. p_load: m/s^2.
 static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, p_load: Vector3, p_iterations := 2) -> PackedByteArray:
 	var w := TAU * FREQUENCY
 	var h := 1.0 / 60.0
@@ -60,7 +60,7 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	)
 
 
-## A patch of leaning blades, p_length metres long, as texels of 16-bit floats.
+## Returns a patch of leaning blades, p_length metres long, as texels of 16-bit floats.
 static func patch_texels(p_width: int, p_blades: int, p_knots: int, p_length: float) -> PackedByteArray:
 	var row := p_width / p_knots
 	var image := Image.create_empty(p_width, p_blades / row, false, Image.FORMAT_RGBAH)

@@ -68,7 +68,7 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 	return p_device.compute_pipeline_create(p_shader, [method, tiles, own_work])
 
 
-## The most tiles for which the buffer of joints has room; 0: there is no buffer. See count_working_tiles().
+## Returns the most tiles for which the buffer of joints has room; 0: there is no buffer. See count_working_tiles().
 static func working_tiles(p_device: RenderingDevice) -> int:
 	var vendor := p_device.get_device_vendor_name()
 	return 0 if vendor == QUICK_ARRAYS else SimulateData.ROOM
@@ -175,7 +175,7 @@ static func dispatch(p_device: RenderingDevice, p_list: int, p_push: PackedByteA
 		p_device.compute_list_add_barrier(p_list)
 
 
-## The half of a tile's knots that holds the places now, after steps that all took time.
+## Returns the half of a tile's knots that holds the places now, after steps that all took time.
 func half_now() -> int:
 	return _steps % 2
 
@@ -223,7 +223,7 @@ func free_all() -> void:
 	_pipelines.clear()
 
 
-## A buffer of its own that clear() frees.
+## Returns a buffer of its own that clear() frees.
 func make_buffer(p_bytes: int) -> RID:
 	return _buffer(p_bytes)
 

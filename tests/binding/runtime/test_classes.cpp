@@ -69,7 +69,7 @@ void Probe::_bind_methods() {
 
 namespace {
 
-// The entry of a property in an object's list, or an empty one.
+// Returns the entry of a property in an object's list, or an empty one.
 Dictionary find_property(const Object &p_object, const String &p_name) {
 	const TypedArray<Dictionary> list = p_object.get_property_list();
 	for (int64_t i = 0; i < list.size(); i++) {

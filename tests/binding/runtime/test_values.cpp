@@ -10,7 +10,7 @@ using namespace godot;
 
 namespace {
 
-// Whether a value comes back from a Variant as it was, with the right type, and through a copy of that Variant, too.
+// Returns whether a value comes back from a Variant as it was, with the right type, and through a copy of that Variant, too.
 template <typename T> bool survives(const T &p_value, Variant::Type p_type) {
 	const Variant first = p_value;
 	const Variant second = first;

@@ -104,7 +104,7 @@ class Writer:
 		return self.member_link(word, argument) if argument else self.type_link(word)
 
 	def text(self, element):
-		"""A description as Markdown: each line of it is a paragraph."""
+		"""Returns a description as Markdown: each line of it is a paragraph."""
 		return self.marked(textwrap.dedent((element.text or "").strip("\n")))
 
 	def marked(self, source):
@@ -115,7 +115,7 @@ class Writer:
 		return (made + escaped(source[end:]).replace("\n", "\n\n")).strip()
 
 	def standing(self, element):
-		"""A line if a name is an old one, or may still change."""
+		"""Returns a line if a name is an old one, or may still change."""
 		for word in ("deprecated", "experimental"):
 			if element.get(word) is not None:
 				return f"**{word.capitalize()}.** {self.marked(element.get(word))}".strip()
@@ -158,7 +158,7 @@ class Writer:
 		)
 
 	def summary(self, group, kind, entries):
-		"""A table of properties or methods."""
+		"""Returns a table of properties or methods."""
 		if group not in ("members", "methods"):
 			return ""
 		is_member = kind == "member"

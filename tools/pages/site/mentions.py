@@ -19,7 +19,7 @@ class Mentions:
 		self.places = {}  # (class, member or None): {page title: address}
 
 	def found(self, owner, name):
-		"""(class, member or None) that `owner.name` or `name` means, or None."""
+		"""Returns (class, member or None) that `owner.name` or `name` means, or None."""
 		if not owner and name in self.reference:
 			return name, None
 		having = [other for other, made in self.reference.items() if name in made.members and owner in (None, other)]
@@ -32,7 +32,7 @@ class Mentions:
 			self.places.setdefault(key, {}).setdefault(title, address)
 
 	def linked(self, page, text):
-		"""The page's text, in which names of classes and members link to them."""
+		"""Returns the page's text, in which names of classes and members link to them."""
 		title = next(iter(re.findall(r"^# +(.+)$", text, re.MULTILINE)), page)
 		is_guide = page.startswith(GUIDE)
 		anchor, taken, in_fence, lines = "", {}, False, []

@@ -24,7 +24,7 @@ double basis_at(int p_order, double p_place) {
 	return std::sqrt(2.0 * p_order + 3.0) * (1.0 - p_place) * now;
 }
 
-// The integral of a polynomial of up to degree 9 between two places, by Gauss.
+// Returns the integral of a polynomial of up to degree 9 between two places, by Gauss.
 template <class Body> double integral(double p_from, double p_to, const Body &p_body) {
 	constexpr double PLACES[] = { 0.0, 0.538469310105683, 0.906179845938664 }; // in the half of the interval, on both sides
 	constexpr double WEIGHTS[] = { 0.568888888888889, 0.478628670499366, 0.236926885056189 };

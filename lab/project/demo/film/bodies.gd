@@ -25,7 +25,7 @@ func prepare() -> void:
 		add_child(_bodies[-1])
 
 
-## The body that is nearest to the middle of the picture.
+## Returns the body that is nearest to the middle of the picture.
 func subject() -> Vector3:
 	var nearest := _bodies[0].global_position
 	for body in _bodies:

@@ -45,7 +45,7 @@ func act(_delta: float) -> void:
 	pass
 
 
-## What the camera must show.
+## Returns what the camera must show.
 func subject() -> Vector3:
 	return on_ground(Vector3.ZERO)
 

@@ -89,12 +89,12 @@ func show_at(place: Vector3) -> void:
 		_landscape.position = field.position
 
 
-## A place whose height is measured from the ground there.
+## Returns a place whose height is measured from the ground there.
 func on_ground(place: Vector3) -> Vector3:
 	return _landscape.hills.on_ground(place, place.y)
 
 
-## Whether a field, also of the landscape, still waits for its grass.
+## Returns whether a field, also of the landscape, still waits for its grass.
 func is_waiting() -> bool:
 	for each: GrassField in find_children("*", "GrassField", true, false):
 		var facts := each.get_statistics().merged(each.get_counters())
@@ -103,7 +103,7 @@ func is_waiting() -> bool:
 	return false
 
 
-## The sum over the fields that the view is about.
+## Returns the sum over the fields that the view is about.
 func blade_count() -> int:
 	var count := 0
 	for each: GrassField in find_children("*", "GrassField", false, false):

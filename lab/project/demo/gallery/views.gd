@@ -54,7 +54,7 @@ static func of(name: String) -> Dictionary:
 	return DEFAULTS.merged(ALL[name], true)
 
 
-## The text beside a picture, one fact an entry.
+## Returns the text beside a picture, one fact an entry.
 static func settings(name: String) -> PackedStringArray:
 	var view := of(name)
 	var facts := PackedStringArray(["eye at %s m, %d degrees" % [String.num(view.eye.y, 2), view.fov]])

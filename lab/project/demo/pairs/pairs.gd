@@ -78,7 +78,7 @@ func _record(folder: String) -> void:
 		print("%s: %s" % [each, pair.about])
 
 
-## The middles of two pictures.
+## Returns the middles of two pictures.
 func _side_by_side(halves: Array[Image]) -> Image:
 	var both := Image.create(SIZE.x, SIZE.y, false, Image.FORMAT_RGB8)
 	both.fill(Color.WHITE)

@@ -31,7 +31,7 @@ func test_tiles_of_256() -> void:
 	assert_less(rows[0].awake_blades.to_int(), rows[1].awake_blades.to_int(), "larger tiles keep more awake")
 
 
-## What a part of `./grass bench` writes, by column.
+## Returns what a part of `./grass bench` writes, by column.
 func _rows(p_part: GDScript) -> Array[Dictionary]:
 	var path := "user://bench_test.csv"
 	var part: Node = p_part.new()

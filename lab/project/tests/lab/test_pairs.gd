@@ -19,7 +19,7 @@ func after() -> void:
 	pairs.free()
 
 
-## What of the grass in the middle a picture would show, as one value.
+## Returns what of the grass in the middle a picture would show, as one value.
 func state() -> Array:
 	var field: GrassField = pairs.stage.country.field
 	var place: Vector3 = pairs.pair.on_ground(Vector3.ZERO)
