@@ -36,9 +36,9 @@ func _ready() -> void:
 		GrassQuality.set_level(GrassQuality.LEVEL_LOW)  # in which a browser starts
 		_lawn.wind_speed = 0.0
 		_country.plot_loaded.connect(func(_plot: Vector2i, p_field: GrassField) -> void: p_field.wind_speed = 0.0)
-	await _stand()
+	await _stand(4)
 	_paint()
-	await _stand()
+	await _stand(CALM)
 	_ball.freeze = false
 	_is_playing = true
 	if _tells:
@@ -82,10 +82,10 @@ func _look() -> void:
 	_eye.look_at(_ball.position + Vector3(0, 0.1, -0.6))
 
 
-## Waits until everything is made.
-func _stand() -> void:
+## Waits until everything is made, and has been so for some frames.
+func _stand(frames: int) -> void:
 	var calm := 0
-	while calm < CALM:
+	while calm < frames:
 		await get_tree().process_frame
 		var world := _country.get_statistics()
 		var waits: bool = _lawn.get_statistics().waiting or world.waiting > 0 or world.plots == 0
