@@ -22,6 +22,7 @@ const profile = mkdtempSync(join(tmpdir(), 'grass_page_'));
 const browser = spawn(chromium, [`--user-data-dir=${profile}`, ...OPTIONS], { stdio: ['ignore', 'ignore', 'pipe'] });
 
 function end(code) {
+	browser.removeAllListeners('exit');
 	browser.kill('SIGKILL');
 	browser.once('exit', () => {
 		rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
