@@ -49,6 +49,10 @@ def dispatch(options):
 		site.make()
 	elif options.command == "export":
 		export.export(options.out, options.debug, options.tests)
+	elif options.command == "page":
+		from tools.release import page
+
+		page.serve(options.out) if options.serve else page.make(options.out)
 	elif options.command == "csharp":
 		from tools.csharp import wrappers
 

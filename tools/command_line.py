@@ -17,6 +17,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass pictures records the pictures of the docs, the film and the gallery (lab/README.md)
   ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
+  ./grass page     packs the demo as a page that a browser plays, out/page
   ./grass csharp OUT   writes the C# wrappers, which releases have in addons/grass_field/csharp
   ./grass release  makes the zips of a release, out/release
   ./grass try ZIP  runs a packed release in an empty project, on any system
@@ -97,6 +98,10 @@ def parser():
 	export.add_argument("out", metavar="OUT", help="folder to write to")
 	export.add_argument("--debug", action="store_true", help="with the debug template and library")
 	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
+
+	page = commands.add_parser("page", help="pack the demo as a page that a browser plays; the first time builds an engine for it")
+	page.add_argument("--out", default=None, metavar="DIR", help="folder to write to (default: out/page, where ./grass docs finds it)")
+	page.add_argument("--serve", action="store_true", help="and serve it to this machine's browser until it is stopped")
 
 	csharp = commands.add_parser("csharp", help="write the C# wrappers of the classes")
 	csharp.add_argument("out", metavar="OUT", help="folder to write to, in a project with C#")

@@ -16,5 +16,7 @@ CROSS = TOOLS / "cross"  # compilers for other platforms, and programs that run 
 RISCV = TOOLS / "riscv"  # the compiler for RISC-V, and what runs its programs
 DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and programs that read shaders
 EMSCRIPTEN = TOOLS / "emscripten"  # the compiler for Web, packed by Debian
+WEB_TEMPLATE = TOOLS / "web_template"  # the engine for Web, built from Debian's sources
+BROWSER = TOOLS / "browser"  # Chromium, which opens the page
 NODE = TOOLS / "node"  # Node.js, from PyPI, which runs what it makes
 CSHARP = TOOLS / "csharp"  # a C# compiler, and what runs C# programs

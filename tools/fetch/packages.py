@@ -88,7 +88,7 @@ def configure(root):
 	signed = f"[signed-by={keyring}] " if keyring.exists() else ""
 	for folder in (root.apt / "lists/partial", root.archives / "partial", root.apt / "none/partial"):
 		folder.mkdir(parents=True, exist_ok=True)
-	kinds = ("deb", "deb-src") if root.of_cards else ("deb",)
+	kinds = ("deb", "deb-src") if root.has_sources else ("deb",)
 	(root.apt / "sources.list").write_text("".join(f"{kind} {signed}{mirror()} {root.suite} main\n" for kind in kinds))
 	status = root.place / STATUS
 	if not status.exists():
@@ -214,7 +214,7 @@ def fetch_source(package, root, folder):
 			making = folder.with_name(folder.name + ".partial")
 			shutil.rmtree(making, ignore_errors=True)
 			making.mkdir(parents=True)
-			apt_get(root, "--download-only", "--only-source", "source", package, cwd=making)
+			apt_get(root, "--download-only", "--tar-only", "--only-source", "source", package, cwd=making)
 			archive = next(making.glob("*.orig.tar.*"))
 			run("tar", "-x", "-C", str(making), "--strip-components=1", "--no-same-owner", "-f", str(archive), check=True)
 			archive.unlink()

@@ -61,7 +61,8 @@ class Root:
 	place: pathlib.Path
 	suite: str
 	architecture: str = ""  # by Debian's name; empty: this machine's
-	of_cards: bool = False  # GPUs' drivers, sources and what translates shaders; its programs run by settle.through_loader() only
+	of_cards: bool = False  # GPUs' drivers and what translates shaders; its programs run by settle.through_loader() only
+	has_sources: bool = False  # packages' sources are fetched by it as well
 
 	@property
 	def apt(self):
@@ -92,7 +93,11 @@ GLIBC = {  # what a library for Linux is linked against: glibc 2.31
 	"x86_64": Root(TOOLS / "linux_x86_64", "bullseye", "amd64"),
 	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
 }
-DRIVERS = Root(places.DRIVERS, "trixie", of_cards=True)  # a stable release, so that figures of its compilers can be compared
+DRIVERS = Root(
+	places.DRIVERS, "trixie", of_cards=True, has_sources=True
+)  # a stable release, so that figures of its compilers can be compared
 EMSCRIPTEN = Root(places.EMSCRIPTEN, "testing")  # the first suite whose version Godot 4.6 takes
+BROWSER = Root(places.BROWSER, "testing")
+ENGINE_SOURCES = Root(TOOLS / "engine_sources", "testing", has_sources=True)  # of the engine that MAIN has
 CSHARP = Root(places.CSHARP, "bookworm")  # a C# compiler
 ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")

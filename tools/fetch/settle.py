@@ -10,7 +10,7 @@ import os
 import platform
 import subprocess
 
-from tools.places import CROSS, EMSCRIPTEN, RISCV, UNPACKED
+from tools.places import BROWSER, CROSS, EMSCRIPTEN, RISCV, UNPACKED
 from tools.say import Failure, progress
 
 MULTIARCH = f"{platform.machine()}-linux-gnu"
@@ -20,7 +20,7 @@ FOLDERS = ("", "/pulseaudio", "/blas", "/lapack")  # below LIBRARIES
 PROGRAMS = (
 	*(f"usr/bin/{name}" for name in ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg", "x86_64-w64-mingw32-*", "*-linux-gnu-*")),
 	"usr/bin/wasm-*",
-	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*", "usr/lib/llvm-*/bin/*",
+	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*", "usr/lib/llvm-*/bin/*", "usr/lib/chromium/chrom*",
 )  # fmt: skip
 SETTLED = "settled"  # file in the root: the place for which the programs were patched
 SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to the Vulkan loader
@@ -106,7 +106,7 @@ def localise_wine(root):
 
 def check():
 	"""Patches the programs again if the project was moved since they were unpacked."""
-	for place in (UNPACKED, CROSS, EMSCRIPTEN, RISCV):
+	for place in (UNPACKED, CROSS, EMSCRIPTEN, RISCV, BROWSER):
 		marker = place / SETTLED
 		if (place / "usr/bin/patchelf").exists() and not (marker.exists() and marker.read_text() == str(place)):
 			with progress("Fitting the fetched programs to their new place"):

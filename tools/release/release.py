@@ -62,10 +62,12 @@ class Target:
 		return names.folder(self.system, self.arch, self.threads) / "symbols" / self.kind / self.library
 
 
-SHIPPED = (  # not Linux on RISC-V and Windows on arm64: with both the zip is larger than it may be, and no engine has loaded them
+SHIPPED = (
 	("linux", "x86_64"),
 	("linux", "arm64"),
+	("linux", "rv64"),
 	("windows", "x86_64"),
+	("windows", "arm64"),
 	("macos", "universal"),
 	("web", "wasm32"),
 )

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The layer `web`: builds the libraries for Web, with threads and without, and reads them. The one without is loaded in Node.js, and its
-bits are compared with those of this machine. No browser and no engine: no template can be fetched.
+bits are compared with those of this machine. Then the demo's page is made, with an engine that is built once, and played (testing_page.py).
 """
 
 import os
 import re
-import struct
 import subprocess
 
-from tools.build import build, emscripten, names
+from tools.build import build, emscripten, names, packed_pass
 from tools.say import Failure
-from tools.test import testing_platforms, wasm
+from tools.release import page
+from tools.test import testing_page, testing_platforms, wasm
 from tools.test.test_runs import Tally
 
 WEB = ("web", "wasm32")
-SPIRV = struct.pack("<I", 0x07230203)  # how each compute pass begins
+SPIRV = packed_pass.number(0x07230203)  # how each compute pass begins, behind the number of its words
 THREADS = re.compile(r"pthread_create|emscripten_(?:create_|init_)?(?:wasm_worker|pthread)|_emscripten_thread")
 FILES = re.compile(r"__syscall_open\w*|fopen|fd_(?:read|write|seek)")
 MOST = 2_600_000  # bytes of a library
@@ -103,4 +103,8 @@ def run_layer(only):
 		kind = f"web with{'' if threads else 'out'} threads"
 		testing_platforms.check(tally, only, ((f"{kind}: {name}", lambda act=act: act(threads)) for name, act in CHECKS.items()))
 	testing_platforms.check(tally, only, ((f"web without threads: {name}", run) for name, run in RUNS.items()))
+	on_page = {f"the page: {name}": act for name, act in testing_page.CHECKS.items() if only in f"the page: {name}"}
+	if on_page:
+		page.make()
+		testing_platforms.check(tally, only, on_page.items())
 	return tally

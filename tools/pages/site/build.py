@@ -16,6 +16,7 @@ from tools.say import Failure, progress, say
 HERE = ROOT / "tools/pages/site"
 SOURCE = BUILD / "site_src"
 SITE = OUT / "site"
+PAGE, PLAY = OUT / "page", "play"  # the demo as a page, if ./grass page has made it; its folder in the site
 PACKAGES = TOOLS / "site"  # what requirements.txt names
 PYTHON_MINIMUM = (3, 11)  # Material's
 
@@ -65,12 +66,18 @@ def make():
 	ensure_packages()
 	write_source()
 	shutil.rmtree(SITE, ignore_errors=True)
+	is_played = (PAGE / "index.html").exists()
+	if is_played:
+		with (SOURCE / "guide/web.md").open("a") as file:
+			file.write(f'\n<a href="../{PLAY}/index.html">Play the demo in this browser</a>, if a server has sent you this page.\n')
 	version = (ROOT / "VERSION").read_text().strip()
 	path = os.pathsep.join([str(PACKAGES), str(ROOT)])
 	environment = {**os.environ, "PYTHONPATH": path, "GRASS_VERSION": version, "NO_MKDOCS_2_WARNING": "1"}
 	command = [sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--config-file", str(HERE / "mkdocs.yml")]
 	with progress("Making the site"):
 		code = subprocess.run(command, env=environment, cwd=ROOT).returncode
+	if is_played and not code:
+		shutil.copytree(PAGE, SITE / PLAY)
 	wrong = [] if code else links.wrong_in_site(SITE)
 	if code or wrong:
 		raise Failure("\n".join(["The site has faults:", *wrong]))
