@@ -100,7 +100,7 @@ static func _foliage() -> ShaderMaterial:
 	return foliage
 
 
-## The middles of a crown's parts, around the trunk and upwards, and half their widths: in w.
+## Returns the middles of a crown's parts, around the trunk and upwards, and half their widths: in w.
 static func _parts(kind: int) -> Array[Vector4]:
 	var random := RandomNumberGenerator.new()
 	random.seed = 21 + kind
@@ -113,7 +113,7 @@ static func _parts(kind: int) -> Array[Vector4]:
 	return parts
 
 
-## The trunk of a tree that is 1 high, and a limb to each part of its crown.
+## Makes the trunk of a tree that is 1 high, and a limb to each part of its crown.
 static func _trunk(parts: Array[Vector4]) -> ArrayMesh:
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
@@ -144,7 +144,7 @@ static func _add_tube(surface: SurfaceTool, from: Vector3, to: Vector3, first: f
 			surface.add_vertex((to + ring[corner] * last) if up[corner] else (from + ring[corner] * first))
 
 
-## A crown whose tree is 1 high: cards in the parts' shells, most of them outside.
+## Makes the crown of a tree that is 1 high: cards in the parts' shells, most of them outside.
 static func _crown(parts: Array[Vector4]) -> ArrayMesh:
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
@@ -182,7 +182,7 @@ static func _add_card(
 		surface.add_index(first + index)
 
 
-## Leaves in a loose round, white and transparent, some lighter than others.
+## Draws leaves in a loose round, white and transparent, some lighter than others.
 static func _twig() -> Image:
 	var random := RandomNumberGenerator.new()
 	random.seed = 4
@@ -196,7 +196,7 @@ static func _twig() -> Image:
 	return image
 
 
-## `at`: its middle; `half`: half its length; in sides of the image.
+## Draws a leaf. `at`: its middle; `half`: half its length; in sides of the image.
 static func _draw_leaf(image: Image, at: Vector2, way: Vector2, half: float, light: float) -> void:
 	var low := Vector2i(((at - Vector2.ONE * half) * PICTURE).max(Vector2.ZERO))
 	var high := Vector2i(((at + Vector2.ONE * half) * PICTURE).min(Vector2.ONE * (PICTURE - 1)))
