@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 namespace grass {
 
@@ -38,5 +39,10 @@ struct DrawnPlant {
 	}
 	float cover() const { return model ? model->area * length * length / std::max(blade_area, 1e-6f) : 0.0f; } // relative to its blade's
 };
+
+// Whether all of them can be drawn at once; if not, threads draw pictures for their impostors.
+inline bool are_pictured(std::span<const DrawnPlant> p_plants) {
+	return std::ranges::all_of(p_plants, [](const DrawnPlant &p_plant) { return !p_plant.impostor || p_plant.impostor->is_drawn(); });
+}
 
 } // namespace grass

@@ -29,8 +29,8 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantImpostor &p_impostor,
 	Ref<ShaderMaterial> material;
 	material.instantiate();
 	material->set_shader(shared_shader(Plants::text(p_features, GRASS_PLANT_IMPOSTOR)));
-	material->set_shader_parameter("impostor_colors", p_impostor.colors);
-	material->set_shader_parameter("impostor_normals", p_impostor.normals);
+	material->set_shader_parameter("impostor_colors", p_impostor.get_pictures().colors);
+	material->set_shader_parameter("impostor_normals", p_impostor.get_pictures().normals);
 	return { material };
 }
 

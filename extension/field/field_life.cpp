@@ -89,7 +89,8 @@ bool FieldLife::prepare(FrameShare::Turn &r_turn) {
 	const bool has_ledges = _wanted.painted.is_valid() && _wanted.painted->get_map().uses(MAP_LEDGE);
 	const Look look{ shader_features(_wanted.setup) | (has_ledges ? SHADER_LEDGES : 0), _properties.hook.get_text() };
 	const bool has_shaders = !in_parts || ((backend == nullptr || backend->prepare(_wanted.setup)) & prepare_shaders(look));
-	return has_shaders && prepare_map(r_turn) && has_time(r_turn);
+	const bool has_pictures = !in_parts || are_pictured(_wanted.plants);
+	return has_shaders && has_pictures && prepare_map(r_turn) && has_time(r_turn);
 }
 
 bool FieldLife::has_time(FrameShare::Turn &r_turn) const {

@@ -22,6 +22,9 @@ bool FieldPicture::show(GeometryInstance3D *p_node, const Transform3D &p_transfo
 	if (!is_look_waiting() || (has_shader_workers() && !prepare_shaders(look))) {
 		return true;
 	}
+	if (!is_shown() && !are_pictured(_parts.plants)) {
+		return true;
+	}
 	if (!are_compiled(look)) {
 		return false;
 	}

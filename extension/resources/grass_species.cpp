@@ -88,7 +88,7 @@ std::shared_ptr<const PlantModel> GrassSpecies::find_plant() const {
 
 std::shared_ptr<const PlantImpostor> GrassSpecies::find_impostor() const {
 	if (const std::shared_ptr<const PlantModel> model = find_plant(); model && !_impostor) {
-		_impostor = make_impostor(*model);
+		_impostor = std::make_shared<const PlantImpostor>(*model);
 	}
 	return _impostor;
 }
@@ -173,6 +173,7 @@ void GrassSpecies::_part_changed() {
 	_card_images.clear(); // it may have been the card
 	_leaf_image.unref(); // or the leaf
 	_plant.reset(); // or the mesh
+	_impostor.reset();
 	emit_changed();
 }
 

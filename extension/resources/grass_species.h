@@ -67,7 +67,7 @@ public:
 	Tussocks get_tussocks() const { return { param(SPECIES_PARAM_TUSSOCK_SHARE), int(param(SPECIES_PARAM_TUSSOCK_BLADES)) }; }
 	// Returns the mesh in the form for drawing, or null.
 	std::shared_ptr<const PlantModel> find_plant() const;
-	// Returns the impostor of the mesh, or null. It is made at first use.
+	// Returns the impostor of the mesh, or null. At first use it begins to be drawn.
 	std::shared_ptr<const PlantImpostor> find_impostor() const;
 	godot::String get_plant_problem() const; // why it cannot be drawn although a mesh is set; empty: it can
 	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres

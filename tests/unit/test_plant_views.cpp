@@ -56,7 +56,7 @@ Seen look_at(const PlantView &p_view) {
 TEST_CASE("plant_views: each side shows what faces it, the nearest first, as large as it is") {
 	const Eigen::Vector3f x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), red(1, 0, 0), blue(0, 0, 1);
 	const std::vector<PictureSurface> surfaces = { wall(x, z, 0.5f, 1.0f, red), wall(-x, z, 0.5f, 1.0f, blue) };
-	const std::vector<PlantView> views = draw_views(surfaces, 1.0f, SIDES, TEXELS);
+	const std::vector<PlantView> views = draw_views(surfaces, 1.0f, SIDES, TEXELS).views;
 	REQUIRE(views.size() == SIDES + 1);
 	const Seen from_x = look_at(views[0]), from_behind = look_at(views[SIDES / 2]);
 	CHECK((from_x.color - red).norm() < 0.01f);
@@ -76,7 +76,7 @@ TEST_CASE("plant_views: right is right, from every side and from above") {
 	// Beside the axis, towards -z and seen from x: to the right, as z leads to the left there.
 	const std::vector<PictureSurface> beside = { wall(-z, x, 0.0f, 1.0f, { 1, 1, 1 }),
 		wall(-z, Eigen::Vector3f(0, 0, 1), 0.0f, 1.0f, { 1, 1, 1 }) };
-	const std::vector<PlantView> views = draw_views(beside, 1.0f, SIDES, TEXELS);
+	const std::vector<PlantView> views = draw_views(beside, 1.0f, SIDES, TEXELS).views;
 	CHECK(look_at(views[0]).middle == doctest::Approx(0.75).epsilon(0.02));
 	CHECK(look_at(views[SIDES / 2]).middle == doctest::Approx(0.25).epsilon(0.02));
 	PictureSurface leaf; // lies, towards x
@@ -85,12 +85,33 @@ TEST_CASE("plant_views: right is right, from every side and from above") {
 	leaf.colors.assign(4, Eigen::Vector3f(0, 1, 0));
 	leaf.uvs.assign(4, Eigen::Vector2f::Zero());
 	leaf.indices = { 0, 1, 2, 0, 2, 3 };
-	const std::vector<PlantView> lying = draw_views(std::span(&leaf, 1), 1.0f, SIDES, TEXELS);
+	const std::vector<PlantView> lying = draw_views(std::span(&leaf, 1), 1.0f, SIDES, TEXELS).views;
 	const Seen above = look_at(lying[SIDES]);
 	CHECK(above.middle == doctest::Approx(0.85).epsilon(0.02));
 	CHECK(above.normal.y() > 0.95f); // lit from both sides
 	CHECK(above.share == doctest::Approx(0.02).epsilon(0.1));
 	CHECK(lying[SIDES].depth == doctest::Approx(0.7));
+}
+
+TEST_CASE("plant_views: an eye aslant sees of both pictures as much as of the plant") {
+	const auto make = [](std::vector<Eigen::Vector3f> p_places, std::vector<int32_t> p_indices) {
+		PictureSurface surface;
+		surface.normals.assign(p_places.size(), Eigen::Vector3f(0, 1, 0));
+		surface.colors.assign(p_places.size(), Eigen::Vector3f(1, 1, 1));
+		surface.uvs.assign(p_places.size(), Eigen::Vector2f::Zero());
+		surface.places = std::move(p_places);
+		surface.indices = std::move(p_indices);
+		return surface;
+	};
+	// No side shows a disc at the top.
+	const PictureSurface disc =
+			make({ { -0.5f, 1, -0.5f }, { -0.5f, 1, 0.5f }, { 0.5f, 1, 0.5f }, { 0.5f, 1, -0.5f } }, { 0, 1, 2, 0, 2, 3 });
+	CHECK(draw_views(std::span(&disc, 1), 1.0f, SIDES, TEXELS).aslant > 0.95f);
+	// What faces all ways shows as much to each eye.
+	const PictureSurface ball =
+			make({ { 0.5f, 0.5f, 0 }, { 0, 0.5f, 0.5f }, { -0.5f, 0.5f, 0 }, { 0, 0.5f, -0.5f }, { 0, 1, 0 }, { 0, 0, 0 } },
+					{ 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 1, 5, 1, 2, 5, 2, 3, 5, 3, 0, 5 });
+	CHECK(draw_views(std::span(&ball, 1), 1.0f, SIDES, TEXELS).aslant < 0.7f);
 }
 
 TEST_CASE("plant_views: what is transparent is not drawn, and a mesh of nothing gives empty pictures") {
@@ -100,9 +121,11 @@ TEST_CASE("plant_views: what is transparent is not drawn, and a mesh of nothing 
 	half.texture_width = 2;
 	half.texture_height = 1;
 	half.scissor = 0.5f;
-	CHECK(look_at(draw_views(std::span(&half, 1), 1.0f, SIDES, TEXELS)[0]).share == doctest::Approx(0.125).epsilon(0.03));
+	CHECK(look_at(draw_views(std::span(&half, 1), 1.0f, SIDES, TEXELS).views[0]).share == doctest::Approx(0.125).epsilon(0.03));
 	half.indices = { 0, 0, 0 };
-	for (const PlantView &view : draw_views(std::span(&half, 1), 1.0f, SIDES, TEXELS)) {
+	const PlantViews empty = draw_views(std::span(&half, 1), 1.0f, SIDES, TEXELS);
+	CHECK(empty.aslant == 0.0f);
+	for (const PlantView &view : empty.views) {
 		CHECK(view.colors.size() == size_t(4 * (4 * TEXELS * TEXELS - 1) / 3));
 		CHECK(view.colors[3] == 0);
 	}

@@ -59,6 +59,31 @@ TEST_CASE("dry blades and flowers show in it") {
 	CHECK(mean_of(draw_species({}, look, SIDE)).x() > green.x() + 20.0);
 }
 
+TEST_CASE("small flowers are drawn so large that one knows them, before their leaves") {
+	PictureLook look = make_look({ 0.05f, 0.4f, 0.02f });
+	const std::array<uint8_t, 16> red = { 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255 };
+	const std::array<uint8_t, 16> grey = { 90, 90, 90, 255, 90, 90, 90, 255, 90, 90, 90, 255, 90, 90, 90, 255 };
+	look.card = red;
+	look.leaf = grey;
+	look.card_side = 2;
+	look.leaf_size = 0.3f;
+	look.card_share = 0.04f;
+	look.card_width = look.card_height = 0.01f; // of blades of half a metre: one texel
+	const std::vector<uint8_t> picture = draw_species({}, look, SIDE);
+	int longest = 0;
+	for (int y = 0; y < SIDE; y++) {
+		int run = 0;
+		for (int x = 0; x < SIDE; x++) {
+			const uint8_t *texel = &picture[size_t(4 * (y * SIDE + x))];
+			run = texel[3] > 0 && texel[0] > 100 && texel[0] > 2 * texel[1] ? run + 1 : 0;
+			longest = std::max(longest, run);
+		}
+	}
+	CHECK(longest >= SIDE / 6);
+	look.card = {};
+	CHECK(mean_of(draw_species({}, look, SIDE)).x() < 100.0);
+}
+
 TEST_CASE("a species without blades has a clear picture") {
 	PatchParams none;
 	none.weights.fill(0.0);
@@ -85,14 +110,16 @@ TEST_CASE("a picture of a plant shows its faces, the nearer ones, and thin stems
 	const std::vector<uint8_t> picture = draw_plant({ &plant, 1 }, SIDE);
 	REQUIRE(picture.size() == size_t(4 * SIDE * SIDE));
 	int rows_of_stem = 0;
-	for (int y = 20; y < 60; y++) {
+	for (int y = 32; y < 60; y++) {
 		const Eigen::Vector4d row = mean_of(picture, y, y + 1);
 		rows_of_stem += row.w() > 0.0 && row.y() > row.x() ? 1 : 0;
 	}
-	CHECK(rows_of_stem == 40);
-	const Eigen::Vector4d flower = mean_of(picture, 2, 14);
+	CHECK(rows_of_stem == 28);
+	const Eigen::Vector4d flower = mean_of(picture, 12, 26);
 	CHECK(flower.x() > 100.0);
 	CHECK(flower.x() > 2.0 * flower.z());
+
+	CHECK(mean_of(picture, 18, 24).w() > 0.2); // the plant is slim, so its upper half fills the picture
 
 	plant.texture = { 255, 255, 255, 100 };
 	plant.texture_width = plant.texture_height = 1;

@@ -25,6 +25,7 @@ namespace {
 
 constexpr float TURNED = 30.0f, FROM_ABOVE = 15.0f; // degrees: how the plant is seen
 constexpr float FILLING = 0.94f; // share of the picture's side
+constexpr float SLIM = 0.5f; // the picture of a plant that is slimmer than this shows so much of its height, from the top: its flower
 constexpr float SHADE = 0.5f; // light of a face that is turned away from the sun
 constexpr int STEPS = 2; // samples for each drawn texel along the side of a triangle: one might miss some
 const Eigen::Vector3f SUN = Eigen::Vector3f(-0.4f, 0.75f, 0.5f).normalized(); // as seen: x to the right, y up, z to the eye
@@ -46,8 +47,11 @@ public:
 				box.extend(Eigen::Vector3f(_view * place));
 			}
 		}
+		const Eigen::Vector3f sizes = box.isEmpty() ? Eigen::Vector3f::Ones() : Eigen::Vector3f(box.sizes());
 		_middle = box.isEmpty() ? Eigen::Vector3f::Zero() : Eigen::Vector3f(box.center());
-		_scale = FILLING * float(_canvas.get_side()) / std::max(box.isEmpty() ? 1.0f : box.sizes().head<2>().maxCoeff(), 1e-6f);
+		const float shown = sizes.x() < SLIM * sizes.y() ? SLIM * sizes.y() : sizes.head<2>().maxCoeff();
+		_middle.y() += 0.5f * std::max(sizes.y() - shown, 0.0f);
+		_scale = FILLING * float(_canvas.get_side()) / std::max(shown, 1e-6f);
 	}
 
 	void draw(const PictureSurface &p_surface) {
@@ -91,7 +95,10 @@ private:
 
 	void put(const Eigen::Vector3f &p_at, const Eigen::Vector3f &p_color) {
 		const int side = _canvas.get_side();
-		const int x = std::clamp(int(p_at.x()), 0, side - 1), y = std::clamp(int(p_at.y()), 0, side - 1);
+		const int x = std::clamp(int(p_at.x()), 0, side - 1), y = int(p_at.y());
+		if (p_at.y() < 0.0f || y >= side) {
+			return;
+		}
 		float &depth = _depths[size_t(y) * size_t(side) + size_t(x)];
 		if (p_at.z() >= depth) {
 			depth = p_at.z();

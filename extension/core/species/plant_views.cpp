@@ -26,24 +26,55 @@ uint8_t encoded(float p_linear) {
 	return uint8_t(std::lround(255.0f * (value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f)));
 }
 
-// How a view sees the plant: unit vectors in the plant's axes.
-struct ViewAxes {
+// How a view sees the plant: vectors in the plant's axes, and what the picture shows of `right`, around 0, and of `up`, from `bottom` on.
+struct ViewFrame {
 	Eigen::Vector3f right, up, to_eye;
+	float width, bottom, height;
 };
+
+ViewFrame frame_from_side(float p_angle, float p_reach) {
+	const float x = std::cos(p_angle), z = std::sin(p_angle);
+	return { { z, 0, -x }, { 0, 1, 0 }, Eigen::Vector3f(x, std::tan(RAISED), z).normalized(), 2.0f * p_reach, 0.0f, 1.0f };
+}
+
+ViewFrame frame_from_above(float p_reach) {
+	return { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 2.0f * p_reach, p_reach, 2.0f * p_reach };
+}
+
+constexpr float ASLANT_SINE = 0.5f, ASLANT_COSINE = 0.8660254f; // of the height of an eye that sees both the plant's sides and its top
+
+ViewFrame frame_aslant(float p_angle, float p_reach) {
+	const Eigen::Vector3f level(std::cos(p_angle), 0, std::sin(p_angle)), up(0, 1, 0);
+	return { { level.z(), 0, -level.x() }, ASLANT_COSINE * up - ASLANT_SINE * level, ASLANT_COSINE * level + ASLANT_SINE * up,
+		2.0f * p_reach, ASLANT_SINE * p_reach, ASLANT_COSINE + 2.0f * ASLANT_SINE * p_reach };
+}
 
 // One view: samples with the nearest of what covers them.
 class ViewPainter {
 public:
-	ViewPainter(const ViewAxes &p_axes, float p_reach, bool p_is_above, int p_texels) :
-			_axes(p_axes), _side(FINER * p_texels), _samples(size_t(_side) * size_t(_side)) {
-		_scale = { float(_side) / (2.0f * p_reach), p_is_above ? float(_side) / (2.0f * p_reach) : float(_side) };
-		_bottom = p_is_above ? p_reach : 0.0f;
+	ViewPainter(std::span<const PictureSurface> p_surfaces, const ViewFrame &p_frame, int p_texels) :
+			_frame(p_frame),
+			_side(FINER * p_texels),
+			_scale(float(_side) / p_frame.width, float(_side) / p_frame.height),
+			_samples(size_t(_side) * size_t(_side)) {
+		for (const PictureSurface &surface : p_surfaces) {
+			draw(surface);
+		}
 	}
 
-	void draw(const PictureSurface &p_surface) {
-		for (size_t i = 0; i + 2 < p_surface.indices.size(); i += 3) {
-			draw_face(p_surface, { size_t(p_surface.indices[i]), size_t(p_surface.indices[i + 1]), size_t(p_surface.indices[i + 2]) });
+	int get_side() const { return _side; }
+	// The place in the frame of a sample, y down.
+	Eigen::Vector2f place_of(int p_x, int p_y) const {
+		return { (float(p_x) + 0.5f) / _scale.x() - 0.5f * _frame.width, (float(_side - p_y) - 0.5f) / _scale.y() - _frame.bottom };
+	}
+	// Returns the luminance at a place in the frame, without light on it; less than 0 where nothing is.
+	float luminance_at(const Eigen::Vector2f &p_place) const {
+		const float x = (p_place.x() + 0.5f * _frame.width) * _scale.x(), y = float(_side) - (p_place.y() + _frame.bottom) * _scale.y();
+		if (!(x >= 0.0f && y >= 0.0f && x < float(_side) && y < float(_side))) {
+			return -1.0f;
 		}
+		const Sample &sample = _samples[size_t(y) * size_t(_side) + size_t(x)];
+		return sample.share > 0.0f ? sample.color.dot(Eigen::Vector3f(0.2126f, 0.7152f, 0.0722f)) : -1.0f;
 	}
 
 	PlantView shrunk() const {
@@ -78,10 +109,16 @@ private:
 		float share = 0.0f; // 1: covered
 	};
 
+	void draw(const PictureSurface &p_surface) {
+		for (size_t i = 0; i + 2 < p_surface.indices.size(); i += 3) {
+			draw_face(p_surface, { size_t(p_surface.indices[i]), size_t(p_surface.indices[i + 1]), size_t(p_surface.indices[i + 2]) });
+		}
+	}
+
 	// Samples, y down.
 	Eigen::Vector2f seen(const Eigen::Vector3f &p_place) const {
-		return { 0.5f * float(_side) + p_place.dot(_axes.right) * _scale.x(),
-			float(_side) - (p_place.dot(_axes.up) + _bottom) * _scale.y() };
+		return { 0.5f * float(_side) + p_place.dot(_frame.right) * _scale.x(),
+			float(_side) - (p_place.dot(_frame.up) + _frame.bottom) * _scale.y() };
 	}
 
 	void draw_face(const PictureSurface &p_surface, const std::array<size_t, 3> &p_corners) {
@@ -113,7 +150,7 @@ private:
 		const auto mix = [&](const auto &p_values) {
 			return (p_part[0] * p_values[p_corners[0]] + p_part[1] * p_values[p_corners[1]] + p_part[2] * p_values[p_corners[2]]).eval();
 		};
-		const float depth = mix(p_surface.places).dot(_axes.to_eye);
+		const float depth = mix(p_surface.places).dot(_frame.to_eye);
 		if (depth < r_sample.depth) {
 			return;
 		}
@@ -122,7 +159,7 @@ private:
 			return;
 		}
 		Eigen::Vector3f normal = mix(p_surface.normals);
-		normal *= normal.dot(_axes.to_eye) < 0.0f ? -1.0f : 1.0f; // leaves are lit from both sides
+		normal *= normal.dot(_frame.to_eye) < 0.0f ? -1.0f : 1.0f; // leaves are lit from both sides
 		r_sample = { mix(p_surface.colors).cwiseProduct(texel.head<3>()), normal.normalized(), depth, 1.0f };
 	}
 
@@ -163,7 +200,7 @@ private:
 	// p_all: what a texel shows that is not covered.
 	void append(const Sample &p_texel, const Sample &p_all, PlantView &r_view) const {
 		const Sample &shown = p_texel.share > 0.0f ? p_texel : p_all;
-		const Eigen::Vector3f normal = shown.normal.norm() > 1e-6f ? Eigen::Vector3f(shown.normal.normalized()) : _axes.to_eye;
+		const Eigen::Vector3f normal = shown.normal.norm() > 1e-6f ? Eigen::Vector3f(shown.normal.normalized()) : _frame.to_eye;
 		for (int c = 0; c < 3; c++) {
 			r_view.colors.push_back(encoded(shown.color[c]));
 			r_view.normals.push_back(uint8_t(std::lround(127.5f + 127.5f * normal[c])));
@@ -172,28 +209,55 @@ private:
 		r_view.normals.push_back(255);
 	}
 
-	ViewAxes _axes;
+	ViewFrame _frame;
 	int _side;
 	Eigen::Vector2f _scale; // samples for each unit of the mesh
-	float _bottom;
 	std::vector<Sample> _samples;
 };
 
+// What an eye aslant sees: of the plant; of the picture from the side; and of that from above beside it. Luminances.
+struct SeenAslant {
+	double plant = 0.0, beside = 0.0, above = 0.0;
+
+	// p_depth: height of the card with the picture from above.
+	void add(const ViewPainter &p_plant, const ViewPainter &p_beside, const ViewPainter &p_above, float p_depth, float p_angle) {
+		const float x = std::cos(p_angle), z = std::sin(p_angle);
+		for (int n = 0; n < p_plant.get_side() * p_plant.get_side(); n++) {
+			const Eigen::Vector2f place = p_plant.place_of(n % p_plant.get_side(), n / p_plant.get_side());
+			plant += double(std::max(p_plant.luminance_at(place), 0.0f));
+			const float side = p_beside.luminance_at({ place.x(), place.y() / ASLANT_COSINE });
+			if (side >= 0.0f) {
+				beside += double(side);
+				continue;
+			}
+			const float nearer = (ASLANT_COSINE * p_depth - place.y()) / ASLANT_SINE; // to the eye than the stem, on the card that lies
+			above += double(std::max(p_above.luminance_at({ z * place.x() + x * nearer, x * place.x() - z * nearer }), 0.0f));
+		}
+	}
+};
+
+float angle_of(int p_side, int p_sides) {
+	return 2.0f * std::numbers::pi_v<float> * float(p_side) / float(p_sides);
+}
+
 } // namespace
 
-std::vector<PlantView> draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels) {
-	std::vector<PlantView> views;
-	for (int k = 0; k <= p_sides; k++) {
-		const bool is_above = k == p_sides;
-		const float angle = 2.0f * std::numbers::pi_v<float> * float(k) / float(p_sides), x = std::cos(angle), z = std::sin(angle);
-		const ViewAxes axes = is_above ? ViewAxes{ { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } }
-									   : ViewAxes{ { z, 0, -x }, { 0, 1, 0 }, Eigen::Vector3f(x, std::tan(RAISED), z).normalized() };
-		ViewPainter painter(axes, p_reach, is_above, p_texels);
-		for (const PictureSurface &surface : p_surfaces) {
-			painter.draw(surface);
+PlantViews draw_views(
+		std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels, const std::atomic<bool> *p_is_stopped) {
+	PlantViews views;
+	const ViewPainter above(p_surfaces, frame_from_above(p_reach), p_texels);
+	const PlantView top = above.shrunk();
+	SeenAslant seen;
+	for (int k = 0; k < p_sides && !(p_is_stopped && *p_is_stopped); k++) {
+		const float angle = angle_of(k, p_sides);
+		const ViewPainter beside(p_surfaces, frame_from_side(angle, p_reach), p_texels);
+		views.views.push_back(beside.shrunk());
+		if (k % 2 == 0) {
+			seen.add(ViewPainter(p_surfaces, frame_aslant(angle, p_reach), p_texels / 2), beside, above, top.depth, angle);
 		}
-		views.push_back(painter.shrunk());
 	}
+	views.views.push_back(top);
+	views.aslant = float(std::clamp((seen.plant - seen.beside) / std::max(seen.above, 1e-9), 0.0, 1.0));
 	return views;
 }
 

@@ -4,6 +4,8 @@
 
 #include "core/species/plant_picture.h"
 
+#include <atomic>
+
 namespace grass {
 
 // From the side the picture is as wide as the plant's reach to both sides, and reaches from its root to its tip. From above it is as wide
@@ -15,8 +17,17 @@ struct PlantView {
 	float depth = 0.0f; // towards the eye, where most of the nearer parts are: units of the mesh
 };
 
+struct PlantViews {
+	std::vector<PlantView> views; // from the sides, the last one from above
+	// The share of the picture from above that must be drawn beside those from the side, for an eye 30 degrees above the horizon to see as
+	// much light as from the plant.
+	float aslant = 0.0f;
+};
+
 // The eye of view k of p_sides is beside the plant, at the angle k / p_sides of a turn from x to z; the last view is from above, with x to
 // the right and z down. p_surfaces: one unit high, their normals set; p_reach: farthest from the axis; p_texels: a power of two.
-std::vector<PlantView> draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels);
+// p_is_stopped: once it is true, the result does not matter; null: never.
+PlantViews draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels,
+		const std::atomic<bool> *p_is_stopped = nullptr);
 
 } // namespace grass

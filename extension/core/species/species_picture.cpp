@@ -17,6 +17,10 @@ constexpr int SHOWN_BLADES = 90;
 constexpr int SEGMENT_STEPS = 6; // least number of steps along a segment
 constexpr float FILLED = 0.9f; // share of the height that the tallest blade fills
 constexpr float DEEP = 0.12f; // height of the hindmost roots above the foremost, as a share of the picture's height
+// A flower is at least this share of the picture's side, or nobody would know it; where it is larger than in nature, fewer blades have one,
+// but so many at least.
+constexpr float LEAST_HEAD = 0.2f;
+constexpr float LEAST_HEADS = 5.0f;
 constexpr float WIDER = 1.5f; // factor on the width: thin blades would be lost in a small picture
 
 // A blade on the canvas.
@@ -75,7 +79,24 @@ void draw_card(PictureCanvas &r_canvas, const DrawnBlade &p_blade, std::span<con
 	}
 }
 
-void draw_blade(PictureCanvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
+// How much larger than in nature flowers are drawn, and which share of the blades has one.
+struct Heads {
+	float larger, share;
+	bool has(const DrawnBlade &p_blade) const { return p_blade.chance(3) < share; }
+};
+
+// p_texels: number of texels in a metre; p_side: of the picture, texels.
+Heads find_heads(const PictureLook &p_look, float p_texels, int p_side) {
+	if (p_look.card.empty()) {
+		return { 1.0f, 0.0f };
+	}
+	const float own = std::max(p_look.card_width, p_look.card_height) * p_texels;
+	const float larger = std::max(LEAST_HEAD * float(p_side) / std::max(own, 1e-3f), 1.0f);
+	const float least = std::min(p_look.card_share, LEAST_HEADS / float(SHOWN_BLADES));
+	return { larger, std::max(p_look.card_share / (larger * larger), least) };
+}
+
+void draw_blade(PictureCanvas &r_canvas, const PictureLook &p_look, const Heads &p_heads, const DrawnBlade &p_blade, float p_texels) {
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		const Eigen::Vector2f from = p_blade.knots[size_t(k)], way = p_blade.knots[size_t(k + 1)] - from;
 		const int steps = std::max(SEGMENT_STEPS, int(std::ceil(way.norm())));
@@ -85,10 +106,7 @@ void draw_blade(PictureCanvas &r_canvas, const PictureLook &p_look, const DrawnB
 			r_canvas.put_disc(from + part * way, 0.5f * width, color_of(p_look, p_blade, along));
 		}
 	}
-	if (!p_look.card.empty() && p_blade.chance(3) < p_look.card_share) {
-		const float width = p_look.card_width * p_texels, height = p_look.card_height * p_texels;
-		draw_card(r_canvas, p_blade, p_look.card, p_look.card_side, p_look.card_color, width, height);
-	} else if (!p_look.leaf.empty()) {
+	if (!p_look.leaf.empty() && !p_heads.has(p_blade)) {
 		const float side = p_look.leaf_size * p_texels;
 		const float grey = 1.5f; // a leaf's texels multiply its blade's colour
 		draw_card(r_canvas, p_blade, p_look.leaf, p_look.card_side, grey * color_of(p_look, p_blade, 1.0f), side, 0.6f * side);
@@ -103,13 +121,21 @@ std::vector<uint8_t> draw_species(const PatchParams &p_patch, const PictureLook 
 	if (!patch.is_empty() && !p_look.colors.empty()) {
 		const float tallest = patch.max_height + (p_look.card.empty() ? 0.0f : 0.5f * p_look.card_height);
 		const float texels = (FILLED - 0.5f * DEEP) * float(canvas.get_side()) / std::max(tallest, 1e-3f);
+		const Heads heads = find_heads(p_look, texels, canvas.get_side());
 		std::vector<DrawnBlade> blades;
 		for (int i = 0; i < SHOWN_BLADES; i++) {
 			blades.push_back(make_blade(patch, i * (GRASS_PATCH_BLADES / SHOWN_BLADES), canvas.get_side(), texels));
 		}
 		std::sort(blades.begin(), blades.end(), [](const DrawnBlade &p_a, const DrawnBlade &p_b) { return p_a.depth > p_b.depth; });
 		for (const DrawnBlade &blade : blades) {
-			draw_blade(canvas, p_look, blade, texels);
+			draw_blade(canvas, p_look, heads, blade, texels);
+		}
+		for (const DrawnBlade &blade : blades) { // leaves would hide them
+			if (heads.has(blade)) {
+				const float larger = heads.larger * texels;
+				draw_card(canvas, blade, p_look.card, p_look.card_side, p_look.card_color, larger * p_look.card_width,
+						larger * p_look.card_height);
+			}
 		}
 	}
 	return canvas.shrunk();
