@@ -65,7 +65,7 @@ public:
 	void show_wind_clock(); // after frames in which no camera saw the field
 	// Must be called in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, _set); }
-	void show_sun_map(const godot::Vector4 &p_map) { _uniforms.set_sun_map(p_map, _set); } // see find_sun_map(); in each frame
+	void show_suns(const SunMap &p_suns) { _uniforms.set_suns(p_suns, _set); } // see find_sun_map(); in each frame
 	// Must be called in each frame once its cameras are known. p_is_read: something reads motion vectors.
 	void show_motion(bool p_is_read) { _parts.backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(_set_of_blades)); }
 

@@ -32,7 +32,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("follow_slope", p_setup.follow_slope);
 	p_set("sparse_height", p_setup.sparse_height);
 	p_set("other_light", _light);
-	p_set("sun_map", find_cast());
+	show_suns(p_set);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			p_set(FIELD_PARAMS[i].tunable.name, p_properties.scaled(FIELD_PARAMS[i].id));
@@ -76,16 +76,23 @@ void FieldUniforms::set_light(const Vector4 &p_other, const SetUniform &p_set) {
 	}
 }
 
-void FieldUniforms::set_sun_map(const Vector4 &p_map, const SetUniform &p_set) {
-	if (_sun_map != p_map) {
-		_sun_map = p_map;
-		p_set("sun_map", find_cast());
+void FieldUniforms::set_suns(const SunMap &p_suns, const SetUniform &p_set) {
+	if (_suns != p_suns) {
+		_suns = p_suns;
+		show_suns(p_set);
 	}
 }
 
-// Near plants with a mesh cast its shadow, and not that of their blades.
-Vector4 FieldUniforms::find_cast() const {
-	return { _sun_map.x, _sun_map.y, _sun_map.z * real_t(1.0f - _mesh_share), _sun_map.w };
+void FieldUniforms::show_suns(const SetUniform &p_set) const {
+	Vector4 map = _suns.map;
+	map.z *= real_t(1.0f - _mesh_share); // near plants with a mesh cast its shadow, and not that of their blades
+	p_set("sun_map", map);
+	PackedVector3Array bare;
+	for (const Vector3 &toward : _suns.bare) {
+		bare.push_back(toward);
+	}
+	p_set("bare_sun_count", bare.size());
+	p_set("bare_suns", bare);
 }
 
 void FieldUniforms::set_wind_clock(const SetUniform &p_set) {
@@ -192,7 +199,7 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	for (size_t s = 0; s < p_plants.size() && p_setup.species; s++) {
 		_mesh_share += p_plants[s].model ? float(p_setup.species->get_share(int(s))) : 0.0f;
 	}
-	p_set("sun_map", find_cast());
+	show_suns(p_set);
 	if (!p_setup.species) {
 		return;
 	}

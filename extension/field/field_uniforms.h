@@ -8,6 +8,7 @@
 #include "draw/shared_shader.h"
 #include "draw/species_look.h"
 #include "field/field_properties.h"
+#include "field/sun_map.h"
 
 #include <span>
 #include <vector>
@@ -27,7 +28,7 @@ public:
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
 			float p_reach, const SetUniform &p_set, const SetUniform &p_set_blades);
 	void set_light(const godot::Vector4 &p_other, const SetUniform &p_set); // see OtherLight
-	void set_sun_map(const godot::Vector4 &p_map, const SetUniform &p_set); // see find_sun_map()
+	void set_suns(const SunMap &p_suns, const SetUniform &p_set); // see find_sun_map()
 	void set_wind_clock(const SetUniform &p_set);
 	// Sets the wind's clock of the last frame, for motion vectors. Call it once in each frame. Returns whether the clock has run since.
 	bool keep_wind_clock(const SetUniform &p_set);
@@ -40,14 +41,15 @@ public:
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
-	godot::Vector4 find_cast() const;
+	void show_suns(const SetUniform &p_set) const;
 	static void set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set);
 	static void set_colors(const std::vector<GrownSpecies> &p_species, const SetUniform &p_set);
 
 	WindClock _wind;
 	Eigen::Matrix3d _turn = Eigen::Matrix3d::Identity();
 	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
-	godot::Vector4 _light, _sun_map;
+	godot::Vector4 _light;
+	SunMap _suns;
 	float _mesh_share = 0.0f; // of the blades: those of species with a mesh
 	Cards _cards;
 	size_t _forces = 0; // that the shaders have

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/sun_map.h"
 
+#include "core/base/glsl.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -35,15 +36,17 @@ bool casts_for(const DirectionalLight3D *p_sun, const VisualInstance3D *p_node) 
 			(p_sun->get_shadow_caster_mask() & p_node->get_layer_mask()) != 0;
 }
 
-Vector4 find_sun_map(const GeometryInstance3D *p_node) {
+SunMap find_sun_map(const GeometryInstance3D *p_node) {
 	constexpr double WHOLE = 0.999; // the engine fades over a thousandth at least
-	Vector4 map(1e6, 2e6, p_node->get_cast_shadows_setting() == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF ? 0 : 1, 0);
+	SunMap found;
+	Vector4 &map = found.map =
+			Vector4(1e6, 2e6, p_node->get_cast_shadows_setting() == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF ? 0 : 1, 0);
 	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
 		if (!shines_on(sun, p_node)) {
 			continue;
 		}
 		if (!casts_for(sun, p_node)) {
-			map.z = 0;
+			found.bare.push_back(sun->get_global_transform().basis.get_column(2).normalized());
 			continue;
 		}
 		const double reach = reach_of(sun, p_node);
@@ -53,7 +56,11 @@ Vector4 find_sun_map(const GeometryInstance3D *p_node) {
 		}
 		map.w = std::max(map.w, real_t(0.01 * sun->get_param(Light3D::PARAM_SHADOW_BIAS) * sun->get_param(Light3D::PARAM_SHADOW_BLUR)));
 	}
-	return map;
+	if (found.bare.size() > GRASS_MAX_SUNS) {
+		found.bare.clear();
+		map.z = 0;
+	}
+	return found;
 }
 
 } // namespace grass

@@ -86,7 +86,7 @@ void FieldFrames::draw() {
 }
 
 void FieldFrames::show_light() {
-	_parts.standing.get_picture().show_sun_map(find_sun_map(&_parts.node()));
+	_parts.standing.get_picture().show_suns(find_sun_map(&_parts.node()));
 	if (is_compatibility()) {
 		_parts.standing.get_picture().show_light(_other_light.find(&_parts.node()));
 	}

@@ -116,13 +116,14 @@ Tile find_tile() {
 	return tile;
 }
 
-// p_pixel: metres of the tile in a pixel; p_near: of the near plane, metres; p_in_sight: grass_lod_in_sight().
-void add_need(inout Need r_need, float p_distance, float p_pixel, float p_near, float p_in_sight) {
+// p_least: width that a blade has at least; p_error: how far it may be from its curve; p_near: of the near plane; all in metres.
+// p_in_sight: grass_lod_in_sight().
+void add_need(inout Need r_need, float p_distance, float p_least, float p_error, float p_near, float p_in_sight) {
 	float by_distance = grass_lod_blades(p_distance, p_near, view.lod.x);
-	float by_width = grass_lod_blades_of_width(view.blades.y, view.lod.z * p_pixel);
+	float by_width = grass_lod_blades_of_width(view.blades.y, p_least);
 	float all = min(by_distance, by_width);
 	r_need.blades = max(r_need.blades, all * p_in_sight);
-	r_need.segments = max(r_need.segments, grass_lod_needed(view.blades.z, view.lod.y * p_pixel));
+	r_need.segments = max(r_need.segments, grass_lod_needed(view.blades.z, p_error));
 	r_need.covering = max(r_need.covering, all);
 }
 
@@ -168,10 +169,12 @@ void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 		if (grass_tile_visible(cameras[i].planes, middle, half_extents, 0.0, vec3(0.0))) {
 			bool hides = pixel_at.y > 0.0 && view.lod.z > 0.0; // an orthogonal camera has no eye
 			float shown = hides ? in_sight(eye.xyz - middle, pixel, cover.grown, cover.cut, cover.slope) : 1.0;
-			add_need(r_seen, lod_distance, pixel, eye.w, shown);
+			add_need(r_seen, lod_distance, view.lod.z * pixel, view.lod.y * pixel, eye.w, shown);
 		}
 		if (eye_distance < view.shadow.y && casts_into(cameras[i], middle, half_extents)) {
-			add_need(r_casting, lod_distance, pixel * view.lod.w, eye.w, 1.0);
+			float least = view.lod.z * grass_lod_shadow(view.lod.w, eye_distance, view.shadow.y);
+			float error = view.lod.y * GRASS_SHADOW_ANGULAR * view.lod.w;
+			add_need(r_casting, lod_distance, least * pixel, error * pixel, eye.w, 1.0);
 		}
 	}
 }

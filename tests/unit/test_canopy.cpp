@@ -131,3 +131,12 @@ TEST_CASE("canopy: shadow maps of dense grass and of a low sun leave light for c
 	}
 	CHECK(glsl::grass_shadow_open(0.0f, 2.0f, 1.0f) == 1.0f);
 }
+
+TEST_CASE("canopy: a blade that stands for others casts a thin shadow where it is seen alone, a wide one in dense grass [Eq B9]") {
+	for (const float stands_for : { 0.5f, 1.0f, 3.0f, 20.0f }) {
+		const auto width = [&](float p_cover) { return std::max(stands_for, 1.0f) * glsl::grass_shadow_casts(stands_for, p_cover); };
+		CHECK(width(0.05f) == doctest::Approx(std::min(std::max(stands_for, 1.0f), float(GRASS_SHADOW_WIDEST_ALONE))));
+		CHECK(width(0.9f) >= width(0.05f));
+		CHECK(width(6.0f) == doctest::Approx(std::min(std::max(stands_for, 1.0f), float(GRASS_SHADOW_WIDEST))));
+	}
+}

@@ -181,6 +181,37 @@ TEST_CASE("lod: the camera that needs most counts") {
 	CHECK(both.segments == need_at(LodParams(), 3.0f).segments);
 }
 
+TEST_CASE("lod: blades in shadows are fine beside the eye and coarse where shadows end [Eq L14]") {
+	const float coarse = LodParams().shadow_coarseness;
+	CHECK(grass_lod_shadow(coarse, 1.0f, 60.0f) < 0.6f * coarse);
+	CHECK(grass_lod_shadow(coarse, 60.0f, 60.0f) > 2.0f * coarse);
+	CHECK(grass_lod_shadow(coarse, 1e9f, 60.0f) == grass_lod_shadow(coarse, 60.0f, 60.0f));
+	CHECK(grass_lod_shadow(1.0f, 0.1f, 60.0f) == 1.0f); // never finer than the picture
+	CHECK(std::isfinite(grass_lod_shadow(coarse, 1.0f, 0.0f)));
+	const LodParams near = LodParams().of_shadows(5.0f, 60.0f);
+	CHECK(need_at(near, 5.0f).blades > 1.3f * need_at(LodParams(), 5.0f * LodParams().shadow_coarseness).blades);
+	CHECK(near.far == LodParams().far);
+}
+
+TEST_CASE("lod: fine shadows beside the eye cost no more than even ones would") {
+	for (const float reach : { 30.0f, 60.0f, 100.0f }) {
+		double vertices = 0.0, evenly = 0.0;
+		for (float distance = 0.25f; distance < reach; distance += 0.25f) {
+			const auto cost = [&](const LodParams &p_params) {
+				const LodNeed need = need_at(p_params, distance);
+				return double(distance * need.blades * float(2 * std::min(grass_lod_segments(need.segments), 3) + 1));
+			};
+			LodParams even;
+			even.pixels_min *= even.shadow_coarseness;
+			even.error *= even.shadow_coarseness;
+			vertices += cost(LodParams().of_shadows(distance, reach));
+			evenly += cost(even);
+		}
+		CAPTURE(reach);
+		CHECK(vertices < evenly);
+	}
+}
+
 TEST_CASE("lod: parameters are mended") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	const LodParams params = LodParams{ nan, -1.0f, nan, -5.0f }.sanitised();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <set>
 
@@ -125,7 +126,7 @@ TEST_CASE("patch: the clamp of a blade is as short as it should be, and its othe
 TEST_CASE("patch: the same seed gives the same bits on every machine, another seed another patch") {
 	PatchParams params;
 	const uint64_t first = digest(generate_patch(params));
-	CHECK(first == 15615402498159983559ull);
+	CHECK(first == 12344608540799901271ull);
 	CHECK(digest(generate_patch(params)) == first);
 	params.seed = 2;
 	CHECK(digest(generate_patch(params)) != first);
@@ -133,9 +134,9 @@ TEST_CASE("patch: the same seed gives the same bits on every machine, another se
 
 TEST_CASE("patch: any run of blades is an even sample of the tile") {
 	const Patch patch = generate_patch({});
-	// Random points reach twice the bounds in some of the 156 runs.
+	// Random points reach 1.7 times the bounds in some of the 156 runs, and a spacing of 0.8.
 	const int counts[] = { 8, 16, 32, 64 };
-	const double bounds[] = { 0.37, 0.24, 0.17, 0.09 };
+	const double bounds[] = { 0.37, 0.27, 0.21, 0.12 };
 	for (int i = 0; i < 4; i++) {
 		double worst = 0.0, closest = 2.0;
 		for (int start = 0; start + 64 <= GRASS_PATCH_BLADES; start += 8 * 13) {
@@ -143,9 +144,10 @@ TEST_CASE("patch: any run of blades is an even sample of the tile") {
 			closest = std::min(closest, spacing(patch, start, counts[i]));
 		}
 		CAPTURE(counts[i]);
+		CAPTURE(worst);
 		CAPTURE(closest);
 		CHECK(worst < bounds[i]);
-		CHECK(closest > 1.35);
+		CHECK(closest > 1.2);
 	}
 }
 
@@ -174,6 +176,29 @@ TEST_CASE("patch: the blades that a thinned tile keeps are an even sample, howev
 	CAPTURE(worst_spacing);
 	CHECK(deviations / runs < 0.25); // 1: random
 	CHECK(worst_spacing > 1.35);
+}
+
+TEST_CASE("patch: roots have no rows in any direction") {
+	const Patch patch = generate_patch({});
+	// The power of waves across the tile, the mean of some tiles: 1 where roots are random, 64 where they stand in rows.
+	double most = 0.0;
+	for (int across = 0; across <= 16; across++) {
+		for (int along = across > 0 ? -16 : 1; along <= 16; along++) {
+			double power = 0.0;
+			int tiles = 0;
+			for (int first = 0; first + GRASS_BLADES_PER_TILE <= GRASS_PATCH_BLADES; first += 25 * GRASS_START_STRIDE) {
+				std::complex<double> sum = 0.0;
+				for (int i = 0; i < GRASS_BLADES_PER_TILE; i++) {
+					const Eigen::Vector4f root = texel(patch, first + i, 0);
+					sum += std::polar(1.0, 2.0 * PI * (across * double(root.x()) + along * double(root.y())));
+				}
+				power += std::norm(sum) / GRASS_BLADES_PER_TILE;
+				tiles++;
+			}
+			most = std::max(most, power / tiles);
+		}
+	}
+	CHECK(most < 4.0);
 }
 
 TEST_CASE("patch: the blades that thinned tiles keep are as long and as wide as all") {

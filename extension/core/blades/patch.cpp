@@ -9,6 +9,7 @@
 
 #include "core/base/half.h"
 #include "core/base/hash.h"
+#include "core/blades/roots.h"
 #include "core/blades/tussock.h"
 
 namespace grass {
@@ -20,12 +21,7 @@ constexpr double TURN = 2.0 * std::numbers::pi;
 // The segments of a shorter blade would be too short for the simulation to distinguish from zero.
 constexpr double SHORTEST = 0.01; // metres
 
-// Roots follow the R2 sequence (Roberts 2018): any run of consecutive points samples the square evenly. The jitter hides its lattice; it is
-// a third of the distance between 64 points.
-constexpr double R2_X = 0.7548776662466927;
-constexpr double R2_Y = 0.5698402909980532;
-constexpr double JITTER = 0.04;
-// The golden ratio spreads the azimuths in the same way.
+// The golden ratio spreads the azimuths of any run of blades evenly.
 constexpr double GOLDEN = 0.6180339887498949;
 
 // How much a blade's bend and its direction of lean may differ from those of its type.
@@ -33,8 +29,8 @@ constexpr double BEND_MIN = 0.7;
 constexpr double BEND_MAX = 1.2;
 constexpr double SWAY = 0.4; // radians
 
-// The random properties of a blade, one hash channel each.
-enum Channel : uint32_t { JITTER_X, JITTER_Y, AZIMUTH, TYPE, LENGTH, LENGTH_MORE, WIDTH, BEND, TWIST, SWAY_ANGLE };
+// The random properties of a blade, one hash channel each. Other numbers would change the blades of every scene.
+enum Channel : uint32_t { AZIMUTH = 2, TYPE, LENGTH, LENGTH_MORE, WIDTH, BEND, TWIST, SWAY_ANGLE };
 
 // The random numbers of one blade, each from 0 up to but not including 1.
 class Dice {
@@ -118,10 +114,8 @@ void measure(Patch &r_patch, int p_blade) {
 	r_patch.mean_width += half_to_float(r_patch.texels[Patch::texel_index(p_blade, 0) + 3]) / GRASS_PATCH_BLADES;
 }
 
-void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
+void plant(Patch &r_patch, const PatchParams &p_params, const Eigen::Vector2d &p_root, int p_blade) {
 	const Dice dice(p_params.seed, uint32_t(p_blade));
-	const double x = fraction(0.5 + R2_X * p_blade + JITTER * (dice.roll(JITTER_X) - 0.5));
-	const double z = fraction(0.5 + R2_Y * p_blade + JITTER * (dice.roll(JITTER_Y) - 0.5));
 	const double azimuth = TURN * (fraction(GOLDEN * p_blade + 0.25 * dice.roll(AZIMUTH)) - 0.5);
 
 	// The mean of two random numbers makes middle lengths commoner than extreme ones; long blades tend to be wide.
@@ -137,7 +131,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	const double lean = azimuth + 0.25 * TURN + SWAY * (dice.roll(SWAY_ANGLE) * 2.0 - 1.0);
 	const double along_x = cosine(lean);
 	const double along_z = sine(lean);
-	store(r_patch, p_blade, 0, x, z, azimuth, width);
+	store(r_patch, p_blade, 0, p_root.x(), p_root.y(), azimuth, width);
 	for (int k = 1; k < GRASS_KNOTS; ++k) {
 		const Eigen::Vector3d knot = curve.knots[k] * length;
 		store(r_patch, p_blade, k, knot.x() * along_x - knot.z() * along_z, knot.y(), knot.x() * along_z + knot.z() * along_x,
@@ -179,8 +173,9 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 	} else if (total_weight(params) <= 0.0) {
 		patch.empty_because = "every blade type has a weight of zero";
 	} else {
+		const std::vector<Eigen::Vector2d> roots = scatter_roots(params.seed, GRASS_PATCH_BLADES);
 		for (int blade = 0; blade < GRASS_PATCH_BLADES && !(p_stop != nullptr && *p_stop); ++blade) {
-			plant(patch, params, blade);
+			plant(patch, params, roots[size_t(blade)], blade);
 		}
 	}
 	return patch;

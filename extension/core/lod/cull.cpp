@@ -63,7 +63,7 @@ void TileCull::choose_tile(
 			seen.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel, shown);
 		}
 		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
-			casting.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
+			casting.add(p_view.lod.of_shadows(distance, p_view.shadow_distance), p_field.size, lod_distance, camera.near, pixel);
 		}
 	}
 	add_tile(p_field, p_x, p_z, seen, 0, GRASS_LOD_LEVELS, p_slot_of);

@@ -75,11 +75,12 @@ private:
 		const bool has_eye = _camera.pixel_slope > 0.0f;
 		const Range at{ std::max(p_ring.low, _camera.near), std::max(p_ring.high, _camera.near) * (1.0f + SLACK) };
 		const Range shown = p_casts || !has_eye || _view.lod.pixels_min <= 0.0f ? Range{ 1.0f, 1.0f } : in_sight(p_ring.low, at);
-		const float coarser = p_casts ? _view.lod.shadow_coarseness : 1.0f, near = _camera.near;
+		const auto lod_at = [&](float p_distance) { return p_casts ? _view.lod.of_shadows(p_distance, _view.shadow_distance) : _view.lod; };
+		const float near = _camera.near;
 		NeedRange need;
 		need.low = {};
-		need.low.add(_view.lod, _field.size, has_eye ? at.high : near, near, _camera.pixel_at(at.high) * coarser, shown.low);
-		need.high.add(_view.lod, _field.size, has_eye ? at.low : near, near, _camera.pixel_at(at.low) * coarser, shown.high);
+		need.low.add(lod_at(at.high), _field.size, has_eye ? at.high : near, near, _camera.pixel_at(at.high), shown.low);
+		need.high.add(lod_at(at.low), _field.size, has_eye ? at.low : near, near, _camera.pixel_at(at.low), shown.high);
 		need.low.blades *= 1.0f - SLACK;
 		need.low.segments *= 1.0f - SLACK;
 		need.high.blades = std::min(need.high.blades * (1.0f + SLACK), float(GRASS_BLADES_PER_TILE));

@@ -36,6 +36,13 @@ LodParams LodParams::sanitised() const {
 	return { at_least(far, 0.001f), at_least(error, 0.0f), at_least(pixels_min, 0.0f), at_least(shadow_coarseness, 1.0f), is_carried };
 }
 
+LodParams LodParams::of_shadows(float p_distance, float p_reach) const {
+	LodParams params = *this;
+	params.error *= shadow_coarseness * GRASS_SHADOW_ANGULAR;
+	params.pixels_min *= grass_lod_shadow(shadow_coarseness, p_distance, p_reach);
+	return params;
+}
+
 void LodNeed::add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel, float p_in_sight) {
 	const float by_distance = grass_lod_blades(p_distance, p_near, p_params.far);
 	const float by_width = grass_lod_blades_of_width(p_size.width, p_params.pixels_min * p_pixel);

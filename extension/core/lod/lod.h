@@ -22,7 +22,7 @@ namespace glsl {
 using glsl::grass_far_depth, glsl::grass_far_hidden, glsl::grass_far_meets, glsl::grass_lod_blades, glsl::grass_lod_blades_of_width,
 		glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_ends, glsl::grass_lod_in_sight, glsl::grass_lod_left_out,
 		glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_plant, glsl::grass_lod_plants,
-		glsl::grass_lod_segments, glsl::grass_lod_shown;
+		glsl::grass_lod_segments, glsl::grass_lod_shadow, glsl::grass_lod_shown;
 
 // The distance from which at most one eighth of the blades is drawn: the view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
@@ -31,7 +31,8 @@ inline constexpr Tunable LOD_ERROR{ "lod_error", "px", 0.0, 8.0, 0.05, 1.0 };
 // The least width of a blade at its root. Where blades would be narrower, fewer and wider ones cover as much. 0: all blades keep their own
 // width, hidden ones are drawn too, and distant grass flickers; above 2 it looks coarse.
 inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
-// How many times coarser blades are in shadows than in the picture. 1: equally fine; above 6 single blades near the camera cast no shadow.
+// How many times coarser blades are in shadows than in the picture, the mean up to shadow_distance. 1: equally fine beside the camera;
+// above 6 single blades near it cast no shadow.
 inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 0.1, 3.0 };
 
 // The most tiles that a field draws in a frame, 100 bytes each; a quarter as many cast shadows. If more are visible, an even selection of
@@ -47,6 +48,8 @@ struct LodParams {
 
 	// Returns a copy without NaN and within the limits: 0.001 <= far, 0 <= error, 0 <= pixels_min, 1 <= shadow_coarseness.
 	LodParams sanitised() const;
+	// Returns what holds for shadows, at p_distance from the eye. p_reach: shadow_distance; metres.
+	LodParams of_shadows(float p_distance, float p_reach) const;
 	bool operator==(const LodParams &) const = default;
 };
 

@@ -147,7 +147,7 @@ int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground,
 		const float shown = lod_in_sight(_field, camera, p_lod, p_ground, along, to_eye.y() + p_slack, pixel);
 		need.add(p_lod, _field.size, lod_distance, camera.near, pixel, shown);
 		if (distance < _view.shadow_distance) {
-			need.add(p_lod, _field.size, lod_distance, camera.near, pixel * p_lod.shadow_coarseness);
+			need.add(p_lod.of_shadows(distance, _view.shadow_distance), _field.size, lod_distance, camera.near, pixel);
 		}
 	}
 	return round_up(grass_lod_shown(need.blades, grass_tile_hash(uint32_t(p_x), uint32_t(p_z), _field.seed)));

@@ -66,6 +66,30 @@ func test_grass_is_as_light_with_its_shadows_as_without() -> void:
 	assert_less(near_and_far.max() / near_and_far.min(), 1.0 + UNLIKE_FAR, "from all distances: %s" % [near_and_far])
 
 
+## A light's shader must know whether that light's map has the grass's shadows.
+func test_grass_is_as_light_below_two_suns_of_which_one_casts() -> void:
+	var field := add_seen_field({size = Vector2(30, 30)})
+	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+	var other := DirectionalLight3D.new()
+	viewport.add_child(other)
+	other.rotation_degrees = Vector3(-60, -60, 0)
+	other.light_energy = 0.5
+	look_down(7.0)
+	sun.shadow_enabled = true
+	await drawn()
+	var light := {}
+	for casting: String in ["neither", "one", "both"]:
+		sun.shadow_enabled = casting != "neither"
+		other.shadow_enabled = casting == "both"
+		light[casting] = await lights()
+	for i in HEIGHTS.size():
+		var text := "sun %d degrees high: %.4f if one casts, %.4f if both, %.4f if neither"
+		text = text % [HEIGHTS[i], light["one"][i], light["both"][i], light["neither"][i]]
+		print("    ", text)
+		assert_near(light["one"][i] / light["neither"][i], 1.0, UNLIKE, text)
+		assert_near(light["both"][i] / light["neither"][i], 1.0, UNLIKE, text)
+
+
 func test_shadows_of_other_things_are_black_on_grass() -> void:
 	var field := add_seen_field({size = Vector2(30, 30)})
 	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
