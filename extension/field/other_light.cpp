@@ -5,10 +5,16 @@
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/sky.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace godot;
 
@@ -31,6 +37,55 @@ Ref<Environment> find_environment(const Node3D *p_node) {
 	}
 	const Ref<World3D> world = p_node->get_world_3d();
 	return world->get_environment().is_valid() ? world->get_environment() : world->get_fallback_environment();
+}
+
+// The colours of a ProceduralSkyMaterial, linear, by the way from the zenith: 0 to 1 at the horizon.
+class Gradient {
+public:
+	explicit Gradient(const Material &p_material) :
+			_top(Color(p_material.get("sky_top_color")).srgb_to_linear()),
+			_horizon(Color(p_material.get("sky_horizon_color")).srgb_to_linear()),
+			_cover_light(Color(p_material.get("sky_cover_modulate")).srgb_to_linear()),
+			_exponent(CURVE / std::max(double(p_material.get("sky_curve")), 1e-3)) {
+		const Ref<Texture2D> cover = p_material.get("sky_cover");
+		const Ref<Image> image = cover.is_valid() ? cover->get_image() : Ref<Image>();
+		if (image.is_valid() && !image->is_compressed()) {
+			_cover = image->duplicate();
+			_cover->resize(1, 2 * ROWS, Image::INTERPOLATE_LANCZOS);
+		}
+	}
+
+	Color color_at(double p_from_zenith) const {
+		const Color clear = _horizon.lerp(_top, float(1.0 - std::pow(p_from_zenith, _exponent)));
+		if (_cover.is_null()) {
+			return clear;
+		}
+		const Color cloud = _cover->get_pixel(0, std::min(int(p_from_zenith * ROWS), ROWS - 1));
+		return clear + cloud.srgb_to_linear() * _cover_light * (cloud.a * _cover_light.a); // the engine adds clouds
+	}
+
+private:
+	static constexpr double CURVE = 0.6; // the engine's exponent over 1 / sky_curve
+	static constexpr int ROWS = 32; // of the mean of its clouds around, above the horizon
+
+	Color _top, _horizon, _cover_light;
+	double _exponent;
+	Ref<Image> _cover;
+};
+
+// Returns what a ProceduralSkyMaterial sends to level ground; black for any other material.
+Color light_of_gradient(const Ref<Material> &p_material) {
+	constexpr int RINGS = 32; // of equal weight for level ground
+	if (p_material.is_null() || !p_material->is_class("ProceduralSkyMaterial")) {
+		return Color(0.0f, 0.0f, 0.0f);
+	}
+	const Gradient gradient(**p_material);
+	Color sum(0.0f, 0.0f, 0.0f);
+	for (int ring = 0; ring < RINGS; ring++) {
+		const double sine = std::sqrt((ring + 0.5) / RINGS); // of the height above the horizon
+		sum += gradient.color_at(std::acos(sine) / (0.5 * std::numbers::pi)) / float(RINGS);
+	}
+	return sum * float(double(p_material->get("sky_energy_multiplier")) * double(p_material->get("energy_multiplier")));
 }
 } // namespace
 
@@ -87,8 +142,9 @@ Color OtherLight::_of_sky(const Ref<Environment> &p_environment) {
 		_frames = 0;
 		const Ref<Image> around =
 				RenderingServer::get_singleton()->sky_bake_panorama(p_environment->get_sky()->get_rid(), 1.0, true, Vector2i(8, 8));
-		if (around.is_valid()) {
-			_sky = around->get_pixel(0, 0);
+		_sky = around.is_valid() ? around->get_pixel(0, 0) : Color(0.0f, 0.0f, 0.0f);
+		if (!(_sky.r + _sky.g + _sky.b > 0.0f)) { // browsers read no floats back
+			_sky = light_of_gradient(p_environment->get_sky()->get_material());
 		}
 	}
 	return _sky * p_environment->get_bg_energy_multiplier();
