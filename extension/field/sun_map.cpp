@@ -38,9 +38,10 @@ bool casts_for(const DirectionalLight3D *p_sun, const VisualInstance3D *p_node) 
 
 SunMap find_sun_map(const GeometryInstance3D *p_node) {
 	constexpr double WHOLE = 0.999; // the engine fades over a thousandth at least
+	constexpr real_t NO_MAP = 1e6f; // metres
 	SunMap found;
 	Vector4 &map = found.map =
-			Vector4(1e6, 2e6, p_node->get_cast_shadows_setting() == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF ? 0 : 1, 0);
+			Vector4(NO_MAP, 2 * NO_MAP, p_node->get_cast_shadows_setting() == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF ? 0 : 1, 0);
 	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
 		if (!shines_on(sun, p_node)) {
 			continue;
@@ -56,8 +57,9 @@ SunMap find_sun_map(const GeometryInstance3D *p_node) {
 		}
 		map.w = std::max(map.w, real_t(0.01 * sun->get_param(Light3D::PARAM_SHADOW_BIAS) * sun->get_param(Light3D::PARAM_SHADOW_BLUR)));
 	}
-	if (found.bare.size() > GRASS_MAX_SUNS) {
-		found.bare.clear();
+	const bool has_map = map.x < NO_MAP;
+	if (!has_map || found.bare.size() > GRASS_MAX_SUNS) {
+		found.bare.clear(); // which each pixel would compare with its light
 		map.z = 0;
 	}
 	return found;

@@ -106,7 +106,7 @@ func test_pictures_are_drawn_beside_the_frames() -> void:
 		waiting += 1
 		await frames(1)
 	print("    %d frames while pictures are drawn" % waiting)
-	assert_greater(waiting, 6)
+	assert_greater(waiting, 1, "frames are drawn meanwhile")
 	assert_false(field.get_statistics().waiting)
 	await drawn()
 	assert_greater(field.get_counters().drawn_plants + field.get_counters().drawn_impostors, 10)
