@@ -34,8 +34,6 @@ func _init() -> void:
 	var collider := CollisionShape3D.new()
 	collider.shape = shape
 	add_child(collider, false, INTERNAL_MODE_FRONT)
-	# Hardly steeper than the sun: all it would cast is its triangles' edges, onto the soil that is drawn over them.
-	_mesh.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	add_child(_mesh, false, INTERNAL_MODE_FRONT)
 
 
