@@ -23,7 +23,16 @@
 #include "blades/clump.inc"
 #include "blades/blade.inc"
 
-layout(local_size_x = GRASS_BLADES_PER_TILE) in;
+// Where edges are searched, most of the time goes into look_together(), and few tiles are near something sharp: as many helpers as there
+// are blades, the later threads, do nothing but test pairs there.
+#ifdef GRASS_EDGES
+#define GRASS_THREADS (2 * GRASS_BLADES_PER_TILE)
+#define IS_HELPER (gl_LocalInvocationID.x >= uint(GRASS_BLADES_PER_TILE))
+#else
+#define GRASS_THREADS GRASS_BLADES_PER_TILE
+#define IS_HELPER false
+#endif
+layout(local_size_x = GRASS_THREADS) in;
 // Unsigned: Godot's translator for Direct3D 12 has no specialization constants of type int.
 layout(constant_id = GRASS_CONSTANT_METHOD) const uint METHOD = uint(GRASS_METHOD_DIRECT);
 layout(constant_id = GRASS_CONSTANT_TILES) const uint TILES = uint(GRASS_TILES_ONE);
@@ -188,7 +197,7 @@ void find_blade(uint p_number) {
 bool find_tile(uvec4 p_group, uint p_thread) {
 	uint tile = MANY ? p_thread / p_group.y : 0u;
 	slot = slots[p_group.x + min(tile, p_group.z - 1u)];
-	if (MANY) {
+	if (MANY && !IS_HELPER) {
 		tile_of[gl_LocalInvocationID.x] = tile;
 	}
 	if (!CROWD) { // also where the pass for crowds is still compiled
@@ -203,13 +212,15 @@ void step_tiles(uvec4 p_group) {
 	Stage stage;
 	uint thread = gl_LocalInvocationID.x, lanes = MANY ? p_group.y : uint(GRASS_BLADES_PER_TILE), lane = thread % lanes;
 	blade.work_start = p_group.w * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + thread;
-	bool has_tile = find_tile(p_group, thread);
-	if (lane == 0u) {
+	bool has_tile = find_tile(p_group, thread) && !IS_HELPER, leads = lane == 0u && !IS_HELPER;
+	if (leads) {
 		uint tile = MANY ? thread / lanes : 0u;
 		begin_report(tile);
 	}
 	share_colliders(lane, lanes, has_tile);
-	find_blade(lane);
+	if (!IS_HELPER) {
+		find_blade(lane);
+	}
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	uint blades = has_tile ? uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y) : 0u, count = uint(GRASS_BLADES_PER_TILE);
 	bool is_whole = !MANY && slot.blend.y <= 0.0 && !is_fresh;
@@ -241,7 +252,7 @@ void step_tiles(uvec4 p_group) {
 		add_bend(tile_of_blade(), start_of(GRASS_KNOTS - 1) - rest_of(GRASS_KNOTS - 1)); // the step is over: the next one starts here
 	}
 	barrier();
-	if (lane == 0u && (!MANY || find_tile(p_group, thread))) {
+	if (leads && (!MANY || find_tile(p_group, thread))) {
 		if (MANY && step.contact.x >= 1.0) {
 			blade.half_now = 1u - blade.half_now;
 		}

@@ -69,9 +69,11 @@ GrassSlot slot; // of this thread's tile
 #include "base/vector.inc"
 #include "bodies/constants.inc"
 #include "solver/constants.inc"
-#define GRASS_ROLLED(m_count) (m_count + int(step.field.w) - GRASS_KNOTS) // as KNOT_COUNT of simulate
 #include "strain/constants.inc"
 #include "strain/basis.inc"
+// Of basis.inc, written and read by all threads of a step: a card fetches a number of a shared array quickly, by whichever joint.
+shared float joint_turns[GRASS_STRAIN_JOINTS * GRASS_STRAIN_ORDERS];
+#define GRASS_JOINT_TURN(m_joint, m_order) joint_turns[((m_joint) - 1) * GRASS_STRAIN_ORDERS + (m_order)]
 #include "solver/weights.inc"
 #include "solver/plane.inc"
 #include "strain/kinematics.inc"
@@ -85,6 +87,27 @@ struct StrainBlade {
 	float size; // its length, metres
 	float shorter; // see joint_axes()
 };
+
+void share_joint_turns() {
+	for (uint i = gl_LocalInvocationID.x; i < uint(GRASS_STRAIN_JOINTS * GRASS_STRAIN_ORDERS); i += gl_WorkGroupSize.x) {
+		joint_turns[i] = JOINT_TURNS[i / uint(GRASS_STRAIN_ORDERS)][i % uint(GRASS_STRAIN_ORDERS)];
+	}
+}
+
+// Knots 1 .. 15 of the threads' blades at rest, metres, as [component][knot][thread]. A thread writes its own in a step, and each sweep
+// reads them.
+shared float kept_rest[3 * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE];
+uint rest_place(int p_knot, uint p_component) {
+	return (p_component * uint(GRASS_SEGMENTS) + uint(p_knot - 1)) * uint(GRASS_BLADES_PER_TILE) + gl_LocalInvocationID.x;
+}
+void keep_rest() {
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		vec3 rest = rest_of(k);
+		kept_rest[rest_place(k, 0u)] = rest.x;
+		kept_rest[rest_place(k, 1u)] = rest.y;
+		kept_rest[rest_place(k, 2u)] = rest.z;
+	}
+}
 
 uint number_row(uint p_half, int p_number) {
 	return twist_row(p_half * uint(GRASS_STRAINS) + uint(p_number));
@@ -109,7 +132,7 @@ float whole_length(StrainBlade p_blade) {
 	return p_blade.size;
 }
 vec3 rest_knot(StrainBlade p_blade, int p_knot) {
-	return rest_of(p_knot);
+	return vec3(kept_rest[rest_place(p_knot, 0u)], kept_rest[rest_place(p_knot, 1u)], kept_rest[rest_place(p_knot, 2u)]);
 }
 JointAxes axes_of(StrainBlade p_blade, int p_joint, Joint p_at) {
 	return joint_axes(p_at.below, p_at.above, p_blade.width, p_blade.shorter);
@@ -223,6 +246,7 @@ bool is_resting(vec4 p_air) {
 
 void step_blade(uint p_tile) {
 	StrainBlade own = load_blade();
+	keep_rest();
 	if ((pool_half[slot.tile.w] & HAS_STRAINS) == 0u) {
 		take_chain(own);
 	}
@@ -230,9 +254,10 @@ void step_blade(uint p_tile) {
 	if (!is_resting(air)) {
 		StrainSection section = load_section();
 		StrainStep own_step = make_strain_step(air);
-		float energy = strain_energy(own, section, own_step);
+		MassMotion motion = mass_motion(own, section);
+		float energy = strain_energy(own, section, own_step, motion);
 		atomicMax(liveliest[p_tile], floatBitsToUint(energy < 1e30 ? energy : 0.0)); // of a blade that is not finite, and is put to rest: 0
-		take_free_step(own, section, own_step, (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0);
+		take_free_step(own, section, own_step, motion, (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0);
 	}
 }
 
@@ -246,6 +271,7 @@ void main() {
 	if (lane == 0u) {
 		begin_report(tile);
 	}
+	share_joint_turns();
 	barrier();
 	bool is_simulated = has_tile && lane < uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
 	if (is_simulated && passes) {

@@ -132,8 +132,9 @@ template <class T> GRASS_INLINE float step_strains(TileState &r_state, std::span
 		}
 		StrainBlade<T> blade;
 		load_strains(r_state, blades, blade);
-		liveliest = std::max(liveliest, largest(strain_energy(blade, section, own)));
-		take_free_step(blade, section, own, T(p_blend));
+		const MassMotion<T> motion = mass_motion(blade, section);
+		liveliest = std::max(liveliest, largest(strain_energy(blade, section, own, motion)));
+		take_free_step(blade, section, own, motion, T(p_blend));
 		store_strains(blade, blades, r_state);
 	}
 	r_state.has_strains = true;
