@@ -24,7 +24,7 @@ namespace grass {
 // The order in which a field needs its passes: those that draw it, those that bend it and that scripts query, then faster variants.
 enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, STRAINS, EDGES, CROWDS, MANY };
 
-using PassKey = std::tuple<const uint8_t *, int, int>; // of a pipeline: its code, method and tiles
+using PassKey = std::tuple<const uint32_t *, int, int>; // of a pipeline: its code, method and tiles
 
 // The parts that a pipeline is made of.
 struct PassCode {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/pass_shaders.h"
 
-#include "core/base/packed_pass.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/rd_shader_spirv.hpp>
@@ -31,7 +30,7 @@ PassShaders::Made PassShaders::make(const PassCode &p_code, bool p_is_worker) {
 PassShaders::Made PassShaders::translate(const PassCode &p_code, bool p_is_worker) {
 	Ref<RDShaderSPIRV> spirv;
 	spirv.instantiate();
-	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, to_bytes(std::span<const uint32_t>(unpack_pass(p_code.spirv))));
+	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, to_bytes(p_code.spirv));
 	const PackedByteArray made = main_device()->shader_compile_binary_from_spirv(spirv, p_code.name);
 	const RID shader = made.is_empty() ? RID() : main_device()->shader_create_from_bytecode(made);
 	if (shader.is_valid() && p_is_worker) {

@@ -34,7 +34,7 @@ private:
 	godot::RID keep(const PassCode &p_code, const godot::RID &p_shader);
 
 	std::mutex _mutex;
-	std::map<const uint8_t *, godot::RID> _shaders; // by code; guarded by _mutex
+	std::map<const uint32_t *, godot::RID> _shaders; // by code; guarded by _mutex
 	std::vector<godot::RID> _made; // guarded by _mutex
 	ShaderCache _cache;
 };

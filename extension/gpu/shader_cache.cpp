@@ -93,23 +93,23 @@ bool ShaderCache::is_on() {
 	return !_folder.empty();
 }
 
-std::string ShaderCache::key_of(std::span<const uint8_t> p_code) const {
-	return shader_key({ _driver, _versions }, p_code);
+std::string ShaderCache::key_of(std::span<const uint32_t> p_spirv) const {
+	return shader_key({ _driver, _versions }, p_spirv);
 }
 
-PackedByteArray ShaderCache::read(std::span<const uint8_t> p_code) {
+PackedByteArray ShaderCache::read(std::span<const uint32_t> p_spirv) {
 	if (!is_on()) {
 		return PackedByteArray();
 	}
-	const std::string key = key_of(p_code);
+	const std::string key = key_of(p_spirv);
 	return read_file(text_of(_folder + OUR_FOLDER + "/" + shader_file_name(key)), key);
 }
 
-void ShaderCache::write(std::span<const uint8_t> p_code, const PackedByteArray &p_shader) {
+void ShaderCache::write(std::span<const uint32_t> p_spirv, const PackedByteArray &p_shader) {
 	if (!is_on()) {
 		return;
 	}
-	const std::string key = key_of(p_code);
+	const std::string key = key_of(p_spirv);
 	const std::vector<uint8_t> bytes = write_shader_file(key, { p_shader.ptr(), size_t(p_shader.size()) });
 	const String path = text_of(_folder + OUR_FOLDER + "/" + shader_file_name(key));
 	if (!bytes.empty() && make_folder() && write_file(path, bytes)) {

@@ -15,13 +15,13 @@ namespace grass {
 class ShaderCache {
 public:
 	// Returns the result of RenderingDevice.shader_compile_binary_from_spirv() for this code on this driver; empty if no valid file has it.
-	godot::PackedByteArray read(std::span<const uint8_t> p_code);
+	godot::PackedByteArray read(std::span<const uint32_t> p_spirv);
 	// Stores it, replacing the file's contents.
-	void write(std::span<const uint8_t> p_code, const godot::PackedByteArray &p_shader);
+	void write(std::span<const uint32_t> p_spirv, const godot::PackedByteArray &p_shader);
 
 private:
 	bool is_on();
-	std::string key_of(std::span<const uint8_t> p_code) const;
+	std::string key_of(std::span<const uint32_t> p_spirv) const;
 	bool make_folder() const;
 	void remove_surplus() const;
 

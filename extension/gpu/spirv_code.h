@@ -7,10 +7,8 @@
 
 namespace grass {
 
-// The bytes are packed: core/base/packed_pass.h.
-struct SpirvCode : std::span<const uint8_t> {
+struct SpirvCode : std::span<const uint32_t> {
 	uint32_t pushed = 0; // bytes of the push constant block that it declares; 0: none
-	uint32_t sum = 0; // checksum of the words, for tests
 };
 
 } // namespace grass

@@ -39,7 +39,7 @@ TEST_CASE("bytes: the checksum is the common CRC-32") {
 
 TEST_CASE("shader_file: a shader comes back as it was, by its own key") {
 	std::mt19937 random(1);
-	const Bytes code = { 3, 2, 35, 7 };
+	const std::vector<uint32_t> code = { 0x07230203u, 1, 2, 3 };
 	for (const size_t size : { size_t(1), size_t(3), size_t(700), size_t(174000), SHADER_BYTES_MOST }) {
 		const Bytes shader = random_bytes(random, size);
 		const std::string key = shader_key({ "vulkan", "a card", std::string(size % 50, 'x') }, code);
@@ -54,9 +54,9 @@ TEST_CASE("shader_file: a shader comes back as it was, by its own key") {
 }
 
 TEST_CASE("shader_file: another driver, version or code is another key, with another file") {
-	const Bytes code = { 3, 2, 35, 7 };
-	Bytes changed = code, longer = code;
-	changed[2] ^= 1 << 7;
+	const std::vector<uint32_t> code = { 0x07230203u, 1, 2, 3 };
+	std::vector<uint32_t> changed = code, longer = code;
+	changed[2] ^= 1u << 31;
 	longer.push_back(0);
 	const std::string key = shader_key({ "vulkan", "card", "1.3" }, code);
 	const Bytes shader = { 1, 2, 3, 4 }, file = write_shader_file(key, shader);
@@ -84,7 +84,8 @@ TEST_CASE("shader_file: another driver, version or code is another key, with ano
 TEST_CASE("shader_file: of a damaged file nothing is read") {
 	std::mt19937 random(7);
 	for (int round = 0; round < ROUNDS; round++) {
-		const std::string key = shader_key({ "vulkan", std::to_string(round) }, random_bytes(random, 8));
+		const std::string key =
+				shader_key({ "vulkan", std::to_string(round) }, std::vector<uint32_t>{ uint32_t(random()), uint32_t(random()) });
 		const Bytes shader = random_bytes(random, 1 + random() % 600), whole = write_shader_file(key, shader);
 		Bytes file = whole;
 		switch (round % 6) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Puts text and shaders into C++ headers, so that the extension is one binary.
 
-Compute passes become packed SPIR-V (a mistake in one fails the build, and so does what a driver would refuse), the blade shader
+Compute passes become SPIR-V (a mistake in one fails the build, and so does what a driver would refuse), the blade shader
 becomes one text with its shared files inlined (the engine would follow includes only one level deep), class documentation
 becomes the texts that the editor's help loads, icons of the editor's tools become SVG texts, the file VERSION becomes a constant.
 """
@@ -10,9 +10,8 @@ import pathlib
 import re
 import struct
 import subprocess
-import zlib
 
-from tools.build import packed_pass, spirv, spirv_rules
+from tools.build import spirv, spirv_rules
 from tools.places import ROOT
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"]+)"[ \t]*$', re.MULTILINE)
@@ -81,14 +80,13 @@ def variants(source):
 
 
 def compute_header(target, source, env):
-	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, each a SpirvCode, and `ALL_SPIRV`; empty ones
-	for platforms without compute passes."""
+	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, each a SpirvCode; an empty one for platforms
+	without compute passes."""
 	spirv_folder = pathlib.Path(str(target[0])).parent / "spirv"
-	lines, constants = ['#include "gpu/spirv_code.h"\n\nnamespace grass::shader {\n'], []
+	lines = ['#include "gpu/spirv_code.h"\n\nnamespace grass::shader {\n']
 	for node in source:
 		for defines, suffix, name in variants(str(node)):
 			constant = constant_name(node, suffix + "_SPIRV")
-			constants.append(constant)
 			if not env["HAS_COMPUTE"]:
 				lines.append(f"inline constexpr SpirvCode {constant}{{}};\n")
 				continue
@@ -101,11 +99,9 @@ def compute_header(target, source, env):
 			if refused := spirv_rules.broken(module):
 				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/internals/drivers.md):\n" + "\n".join(refused))
 				return 1
-			packed, checksum = packed_pass.pack(words), zlib.crc32(struct.pack(f"<{len(words)}I", *words))
-			rows = (", ".join(map(str, packed[at : at + 32])) for at in range(0, len(packed), 32))
-			lines.append(f"inline constexpr uint8_t {constant}_BYTES[] = {{\n" + ",\n".join(rows) + "\n};\n")
-			lines.append(f"inline constexpr SpirvCode {constant}{{ {constant}_BYTES, {module.pushed}, {checksum}u }};\n")
-	lines.append(f"inline constexpr SpirvCode ALL_SPIRV[] = {{ {', '.join(constants)} }};\n")
+			rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
+			lines.append(f"inline constexpr uint32_t {constant}_WORDS[] = {{\n" + ",\n".join(rows) + "\n};\n")
+			lines.append(f"inline constexpr SpirvCode {constant}{{ {constant}_WORDS, {module.pushed} }};\n")
 	return write_header(target, source, lines)
 
 

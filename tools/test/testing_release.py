@@ -26,7 +26,7 @@ from tools.test.test_runs import Tally
 
 WORK = BUILD / "package"
 PLACE = "addons/grass_field"
-MOST_ALONE = 2_650_000  # bytes of a zip with a single library; 2,586,673 on the day of this number
+MOST_ALONE = 3_000_000  # bytes of a zip with a single library; 2,905,939 on the day of this number
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
 SOURCES = ("SConstruct", "VERSION", "LICENSE", "CHANGELOG.md", "grass", "tools", "extension", "shaders", "tests", "godot_project")
 
@@ -292,7 +292,7 @@ def same_elsewhere(sources):
 
 PACKING = {
 	"packed twice, the same bytes": same_twice,
-	"the zip holds the add-on alone, in 15 MB": only_the_addon,
+	"the zip holds the add-on alone, in 18 MB": only_the_addon,
 	"the .gdextension names what is there and nothing else": extension_names_what_is_there,
 	"no path of this machine": no_paths_of_this_machine,
 	"SHA256SUMS are right": sums_are_right,

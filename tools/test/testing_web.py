@@ -5,16 +5,17 @@ bits are compared with those of this machine. Then the demo's page is made, with
 
 import os
 import re
+import struct
 import subprocess
 
-from tools.build import build, emscripten, names, packed_pass
+from tools.build import build, emscripten, names
 from tools.say import Failure
 from tools.release import page
 from tools.test import testing_page, testing_platforms, wasm
 from tools.test.test_runs import Tally
 
 WEB = ("web", "wasm32")
-SPIRV = packed_pass.number(0x07230203)  # how each compute pass begins, behind the number of its words
+SPIRV = struct.pack("<I", 0x07230203)  # how each compute pass begins
 THREADS = re.compile(r"pthread_create|emscripten_(?:create_|init_)?(?:wasm_worker|pthread)|_emscripten_thread")
 FILES = re.compile(r"__syscall_open\w*|fopen|fd_(?:read|write|seek)")
 MOST = 2_600_000  # bytes of a library

@@ -47,12 +47,13 @@ uint32_t sum_of(std::span<const uint8_t> p_bytes) {
 
 } // namespace
 
-std::string shader_key(std::initializer_list<std::string_view> p_made_for, std::span<const uint8_t> p_code) {
+std::string shader_key(std::initializer_list<std::string_view> p_made_for, std::span<const uint32_t> p_spirv) {
 	std::string key;
 	for (const std::string_view part : p_made_for) {
 		(key += part) += '\n';
 	}
-	return key + to_hex(hash_bytes(p_code)) + ' ' + std::to_string(p_code.size()) + '\n';
+	const std::span<const uint8_t> code(reinterpret_cast<const uint8_t *>(p_spirv.data()), p_spirv.size_bytes());
+	return key + to_hex(hash_bytes(code)) + ' ' + std::to_string(code.size()) + '\n';
 }
 
 std::string shader_file_name(std::string_view p_key) {

@@ -27,7 +27,7 @@ inline constexpr size_t SHADER_KEY_BYTES_MOST = 4096;
 inline constexpr size_t SHADER_FILES_MOST = 64;
 
 // Returns the key of a shader. p_made_for: driver and versions; each may compile the same code to another shader.
-std::string shader_key(std::initializer_list<std::string_view> p_made_for, std::span<const uint8_t> p_code);
+std::string shader_key(std::initializer_list<std::string_view> p_made_for, std::span<const uint32_t> p_spirv);
 
 // Returns the name of the shader's file. Different keys hardly ever share a name; the key inside the file settles it.
 std::string shader_file_name(std::string_view p_key);
