@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "field/other_light.h"
 
+#include "field/sky_light.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/image.hpp>
-#include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/sky.hpp>
-#include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 using namespace godot;
 
@@ -39,53 +34,11 @@ Ref<Environment> find_environment(const Node3D *p_node) {
 	return world->get_environment().is_valid() ? world->get_environment() : world->get_fallback_environment();
 }
 
-// The colours of a ProceduralSkyMaterial, linear, by the way from the zenith: 0 to 1 at the horizon.
-class Gradient {
-public:
-	explicit Gradient(const Material &p_material) :
-			_top(Color(p_material.get("sky_top_color")).srgb_to_linear()),
-			_horizon(Color(p_material.get("sky_horizon_color")).srgb_to_linear()),
-			_cover_light(Color(p_material.get("sky_cover_modulate")).srgb_to_linear()),
-			_exponent(CURVE / std::max(double(p_material.get("sky_curve")), 1e-3)) {
-		const Ref<Texture2D> cover = p_material.get("sky_cover");
-		const Ref<Image> image = cover.is_valid() ? cover->get_image() : Ref<Image>();
-		if (image.is_valid() && !image->is_compressed()) {
-			_cover = image->duplicate();
-			_cover->resize(1, 2 * ROWS, Image::INTERPOLATE_LANCZOS);
-		}
-	}
-
-	Color color_at(double p_from_zenith) const {
-		const Color clear = _horizon.lerp(_top, float(1.0 - std::pow(p_from_zenith, _exponent)));
-		if (_cover.is_null()) {
-			return clear;
-		}
-		const Color cloud = _cover->get_pixel(0, std::min(int(p_from_zenith * ROWS), ROWS - 1));
-		return clear + cloud.srgb_to_linear() * _cover_light * (cloud.a * _cover_light.a); // the engine adds clouds
-	}
-
-private:
-	static constexpr double CURVE = 0.6; // the engine's exponent over 1 / sky_curve
-	static constexpr int ROWS = 32; // of the mean of its clouds around, above the horizon
-
-	Color _top, _horizon, _cover_light;
-	double _exponent;
-	Ref<Image> _cover;
-};
-
-// Returns what a ProceduralSkyMaterial sends to level ground; black for any other material.
-Color light_of_gradient(const Ref<Material> &p_material) {
-	constexpr int RINGS = 32; // of equal weight for level ground
-	if (p_material.is_null() || !p_material->is_class("ProceduralSkyMaterial")) {
-		return Color(0.0f, 0.0f, 0.0f);
-	}
-	const Gradient gradient(**p_material);
-	Color sum(0.0f, 0.0f, 0.0f);
-	for (int ring = 0; ring < RINGS; ring++) {
-		const double sine = std::sqrt((ring + 0.5) / RINGS); // of the height above the horizon
-		sum += gradient.color_at(std::acos(sine) / (0.5 * std::numbers::pi)) / float(RINGS);
-	}
-	return sum * float(double(p_material->get("sky_energy_multiplier")) * double(p_material->get("energy_multiplier")));
+// Returns the light of any sky, as the renderer has it now. Waits for the GPU.
+Color bake(const Ref<Sky> &p_sky) {
+	constexpr int HEIGHTS = 64; // from the zenith to the nadir: the first is nearly the zenith
+	const Ref<Image> column = RenderingServer::get_singleton()->sky_bake_panorama(p_sky->get_rid(), 1.0, true, Vector2i(1, HEIGHTS));
+	return column.is_valid() ? column->get_pixel(0, 0) : Color(0.0f, 0.0f, 0.0f);
 }
 } // namespace
 
@@ -107,7 +60,7 @@ Vector4 OtherLight::find(Node3D *p_node) {
 		return Vector4(0, 0, 0, is_any && are_all ? 1 : 0);
 	}
 	const Ref<Sky> sky = environment->get_sky();
-	seen.push_back(sky.is_valid() ? double(sky->get_instance_id()) : 0.0);
+	seen.insert(seen.end(), { sky.is_valid() ? double(sky->get_instance_id()) : 0.0, environment->get_bg_energy_multiplier() });
 	_frames++;
 	if (seen != _seen) {
 		_seen = seen;
@@ -135,19 +88,20 @@ Color OtherLight::_ambient(const Ref<Environment> &p_environment) {
 	return source == Environment::AMBIENT_SOURCE_COLOR ? own : Color(0.0f, 0.0f, 0.0f);
 }
 
-// Returns what falls on level ground.
+// Returns what falls on level ground. The renderer applies the background's energy twice: to the sky, and to its light.
 Color OtherLight::_of_sky(const Ref<Environment> &p_environment) {
+	const double energy = p_environment->get_bg_energy_multiplier();
 	if (_looks_left > 0 && _frames >= FRAMES_A_LOOK) {
 		_looks_left--;
 		_frames = 0;
-		const Ref<Image> around =
-				RenderingServer::get_singleton()->sky_bake_panorama(p_environment->get_sky()->get_rid(), 1.0, true, Vector2i(8, 8));
-		_sky = around.is_valid() ? around->get_pixel(0, 0) : Color(0.0f, 0.0f, 0.0f);
+		const Ref<Sky> sky = p_environment->get_sky();
+		const SkyLight light(sky->get_material());
+		_sky = light.is_known() ? light.find(energy) : bake(sky);
 		if (!(_sky.r + _sky.g + _sky.b > 0.0f)) { // browsers read no floats back
-			_sky = light_of_gradient(p_environment->get_sky()->get_material());
+			_sky = light.find(energy);
 		}
 	}
-	return _sky * p_environment->get_bg_energy_multiplier();
+	return _sky * float(energy);
 }
 
 } // namespace grass

@@ -5,7 +5,9 @@ extends "res://tests/view_case.gd"
 const SIZE := Vector2i(192, 108)
 const GRASS := Rect2i(0, 28, 192, 80)  # what of a picture shows nothing else
 const MEANS := "user://renderers_agree.json"  # of Forward+
+const A_LOOK := 40  # frames; grass looks at the sky every 30
 const UNLIKE := 1.2  # the greatest distance of mean colours in CIE L*a*b*; 2 is just seen
+const SKY_UNLIKE := 0.7  # the same, under a sky whose light is computed and one that the renderer lights; a tenth of its light
 
 var sun: DirectionalLight3D
 var environment: Environment
@@ -44,10 +46,10 @@ func shine(from: float, has_shadows: bool, ambient := 0.35) -> void:
 	environment.ambient_light_energy = ambient
 
 
-func under_a_sky(field: GrassField) -> void:
+func under_a_sky(field: GrassField, material: Material, size := Sky.RADIANCE_SIZE_32) -> void:
 	var sky := Sky.new()
-	sky.sky_material = ProceduralSkyMaterial.new()
-	sky.radiance_size = Sky.RADIANCE_SIZE_32  # it has no details
+	sky.sky_material = material
+	sky.radiance_size = size
 	environment.sky = sky
 	environment.background_mode = Environment.BG_SKY
 	environment.ambient_light_source = Environment.AMBIENT_SOURCE_BG
@@ -97,7 +99,7 @@ func test_all_renderers_show_the_same_colours() -> void:
 			"sky, shadows":
 				field.map = null
 				await grown(field)
-				await under_a_sky(field)
+				await under_a_sky(field, ProceduralSkyMaterial.new())
 			"of a camera, shadows":
 				camera.environment = environment
 				world.environment = null
@@ -121,3 +123,51 @@ func compare(means: Dictionary) -> void:
 		var color: Color = 100.0 * means[light]
 		print("    %s: (%.1f, %.1f, %.1f) %%, %.2f from Forward+" % [light, color.r, color.g, color.b, unlike])
 		assert_less(unlike, UNLIKE, light)
+
+
+## Returns each sky's material twice: as grass computes its light, and with a picture of halves, of which it asks the renderer.
+func skies() -> Dictionary:
+	var clear := Image.create_empty(8, 8, false, Image.FORMAT_RGBA8)
+	var clouds := Image.create_empty(64, 32, false, Image.FORMAT_RGBA8)
+	clouds.fill_rect(Rect2i(0, 3, 24, 12), Color(0.9, 0.8, 0.7, 0.8))
+	var found := {}
+	for kind: String in ["gradient", "clouds", "panorama"]:
+		found[kind] = []
+		for format: Image.Format in [Image.FORMAT_RGBA8, Image.FORMAT_RGBAH]:
+			var picture: Image = (clear if kind == "gradient" else clouds).duplicate()
+			picture.convert(format)
+			var texture := ImageTexture.create_from_image(picture)
+			if kind == "panorama":
+				found[kind].append(PanoramaSkyMaterial.new())
+				found[kind][-1].panorama = texture
+				continue
+			var sky := ProceduralSkyMaterial.new()
+			sky.sky_top_color = Color(0.28, 0.47, 0.72)
+			sky.sky_horizon_color = Color(0.72, 0.79, 0.85)
+			sky.sky_energy_multiplier = 0.9
+			sky.sky_cover = texture
+			found[kind].append(sky)
+	return found
+
+
+func test_the_light_of_a_sky_is_that_of_the_renderer() -> void:
+	if RenderingServer.get_current_rendering_method() != "gl_compatibility":
+		skip("only Compatibility needs the sky's light")
+		return
+	var field := add_seen_field({size = Vector2(30, 30)})
+	look(Vector3(0, 1.7, 12), Vector3(0, 0, 9))
+	shine(90.0, true)
+	sun.sky_mode = DirectionalLight3D.SKY_MODE_LIGHT_ONLY  # what is computed has no suns
+	environment.background_energy_multiplier = 0.8
+	await grown(field)
+	var all := skies()
+	for kind: String in all:
+		var means: Array[Color] = []
+		for material: Material in all[kind]:
+			await under_a_sky(field, material, Sky.RADIANCE_SIZE_256)
+			await frames(A_LOOK)
+			var image := await picture()
+			means.append(mean(image.get_region(GRASS)))
+		var unlike := to_lab(means[0]).distance_to(to_lab(means[1]))
+		print("    %s: %s computed, %s baked, %.2f apart" % [kind, means[0], means[1], unlike])
+		assert_less(unlike, SKY_UNLIKE, kind)
