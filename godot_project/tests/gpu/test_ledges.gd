@@ -52,3 +52,28 @@ func test_a_level_with_edges() -> void:
 	var image := await picture()
 	var green := share_of(image, func(color: Color) -> bool: return color.g > color.b + 0.05)
 	assert_greater(green, 0.2)
+
+
+## Ground that only curves follows the terrain, though the same map has ledges where the terrain ends.
+func test_a_terrain_does_not_show_through_its_soil() -> void:
+	open_view(Vector2i(192, 108))
+	add_light()
+	var terrain: StaticBody3D = load("res://demo/terrain.gd").new()
+	var noise := FastNoiseLite.new()
+	noise.frequency = 0.06
+	var red := StandardMaterial3D.new()
+	red.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	red.albedo_color = Color.RED
+	terrain.size = 32
+	terrain.noise = noise
+	terrain.relief = 4.0
+	terrain.material = red
+	viewport.add_child(terrain)
+	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, border_fade = 0.0})
+	field.bake_ground_from(terrain.shape, terrain.global_transform)
+	await grown(field)
+	look(Vector3(0, 20, 0), Vector3.ZERO)
+	camera.fov = 40.0  # without the terrain's border, where soil ends a little earlier
+	var image := await picture()
+	save(image, "soil_of_a_terrain")
+	assert_near(share_of(image, is_red), 0.0, 0.0)
