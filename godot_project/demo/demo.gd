@@ -42,7 +42,7 @@ func _ready() -> void:
 	field.size = Vector2(side, side)
 	add_child(_landscape)
 	_landscape.surround(field, null, software)
-	$World.environment = Landscape.with_clouds($World.environment)
+	Landscape.open_sky($World, $Sun)
 	field.measure_time = true
 	if software:  # one cascade instead of four: a frame takes seconds
 		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL

@@ -5,6 +5,7 @@ extends Node3D
 
 const Hills := preload("res://demo/walk/hills.gd")
 const Clouds := preload("res://demo/walk/clouds.gd")
+const Sun := preload("res://demo/sun.gd")
 const Country := preload("res://demo/walk/country.gd")
 const Trees := preload("res://demo/walk/trees.gd")
 const SIDE := {true: 192, false: 1024}  # metres, of all grass: small, for software rendering, or not
@@ -42,6 +43,12 @@ func surround(p_field: GrassField, p_terrain: Hills.Terrain, is_small: bool) -> 
 	hills.terrain = p_terrain
 	make(p_field.size.x, 0.0 if p_terrain else p_field.size.x, is_small)
 	set_wind(p_field.wind_speed)
+
+
+## Gives a scene's sky clouds and a sun, whose shadows reach as far as the groves.
+static func open_sky(world: WorldEnvironment, sun: DirectionalLight3D) -> void:
+	world.environment = with_clouds(world.environment)  # the environment in the file does not change
+	Sun.complete(sun, world.environment.sky.sky_material)
 
 
 ## Returns a copy of an environment, with clouds in its sky.

@@ -28,7 +28,7 @@ func _ready() -> void:
 		landscape.hills.water = $Water.position.y
 	add_child(landscape)
 	landscape.surround(field, get_node_or_null(^"Terrain"), (size if size else options.size) == "small")
-	$World.environment = Landscape.with_clouds($World.environment)
+	Landscape.open_sky($World, $Sun)
 	if options.out:
 		await record(options.out)
 		get_tree().quit()

@@ -48,7 +48,7 @@ func _ready() -> void:
 	add_child(landscape)
 	landscape.make(SIDE, SIDE, _is_small)
 	landscape.set_wind(WIND)
-	$World.environment = Landscape.with_clouds($World.environment)
+	Landscape.open_sky($World, $Sun)
 	_show(0)
 	if _options.out:
 		await _record(_options.out)

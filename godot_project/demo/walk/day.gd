@@ -4,10 +4,11 @@
 extends Node
 
 const Clouds := preload("res://demo/walk/clouds.gd")
+const Sun := preload("res://demo/sun.gd")
 const PACE := 24.0 / 900.0  # hours a second: a day in a quarter of an hour
 const HURRY := 1.5  # hours a second while the key is held
 const NOON_HEIGHT := 1.0  # radians
-const SUN := Color(1.0, 0.95, 0.85)
+const WHITE_SUN := Color(1.0, 0.95, 0.85)
 const LOW_SUN := Color(1.0, 0.62, 0.35)
 const MOON := Color(0.6, 0.72, 1.0)
 const SKY_STEPS := 48.0  # the sky is drawn again, which costs time, when its light has changed by one of these steps
@@ -16,8 +17,10 @@ const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(
 const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
 const NIGHT: Array[Color] = [Color(0.012, 0.02, 0.05), Color(0.06, 0.08, 0.14), Color(0.12, 0.15, 0.26)]
 ## What a low sun adds by day to zenith, horizon and ambient light, and what its light makes of thin clouds.
-const LOW: Array[Color] = [Color(0.24, 0.36, 0.6), Color(0.93, 0.74, 0.52), Color(0.54, 0.5, 0.52)]
-const LOW_CLOUDS := Color(1.0, 0.8, 0.62)
+const LOW: Array[Color] = [Color(0.25, 0.41, 0.63), Color(0.94, 0.8, 0.6), Color(0.54, 0.51, 0.52)]
+const LOW_CLOUDS := Color(1.0, 0.84, 0.66)
+const LOW_GLOW := 0.08  # Sun.GLOW_CURVE of a low sun
+const LOW_HAZE := 0.35  # share of the fog before the sun that has its colour
 const LOW_BELOW := Vector2(0.06, 0.5)  # height of the sun, 1 at noon: low, and no longer
 const CLOUDS: Array[Color] = [Color(0.5, 0.54, 0.58), Color(0.68, 0.71, 0.74), Color(0.5, 0.53, 0.57)]
 
@@ -37,8 +40,7 @@ func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
 	world.environment = _environment
 	_sky = _environment.sky.sky_material
 	_sky.sky_cover = Clouds.cover()
-	_sky.sun_angle_max = 25.0  # degrees of glow around it
-	_sky.sun_curve = 0.03  # most of it near the disc
+	Sun.complete(sun, _sky)
 	_environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	_environment.reflected_light_source = Environment.REFLECTION_SOURCE_DISABLED
 	_environment.sky.radiance_size = Sky.RADIANCE_SIZE_32  # nothing takes light from it
@@ -55,10 +57,11 @@ func advance(delta: float, clouds: float) -> void:
 	var way := fposmod(hour - 6.0, 12.0) / 12.0 * PI  # the moon goes the sun's way, twelve hours later
 	_sun.basis = Basis(Vector3.UP, way - 0.35) * Basis(Vector3.RIGHT, -maxf(sin(way), 0.06) * NOON_HEIGHT)
 	var is_day := height > 0.0
-	_sun.light_color = LOW_SUN.lerp(SUN, smoothstep(0.05, 0.5, height)) if is_day else MOON
+	_sun.light_color = LOW_SUN.lerp(WHITE_SUN, smoothstep(0.05, 0.5, height)) if is_day else MOON
 	var strength := 1.5 * smoothstep(0.0, 0.18, height) if is_day else 0.4 * smoothstep(0.0, 0.2, -height)
 	_sun.light_energy = strength * (1.0 - 0.85 * clouds)
 	_sun.visible = _sun.light_energy > 0.001
+	Sun.follow(_sun)
 	_warm = 1.0 - smoothstep(LOW_BELOW.x, LOW_BELOW.y, height) if is_day else 0.0
 	_set_air(clouds)
 
@@ -68,10 +71,12 @@ func _set_air(clouds: float) -> void:
 	_environment.ambient_light_color = ambient
 	_environment.ambient_light_energy = 1.0
 	_environment.fog_light_color = _mix(1, clouds)
+	_environment.fog_sun_scatter = LOW_HAZE * _warm * (1.0 - clouds)
 	_environment.fog_density = lerpf(0.0006, 0.004, clouds)
 	var state := (SKY_STEPS * Vector3(light, clouds, _warm)).round()
 	if state != _drawn:
 		_drawn = state
+		_sky.sun_curve = lerpf(Sun.GLOW_CURVE, LOW_GLOW, _warm)
 		_sky.sky_top_color = _mix(0, clouds)
 		_sky.sky_horizon_color = _mix(1, clouds)
 		_sky.ground_horizon_color = _mix(1, clouds)

@@ -6,24 +6,24 @@ const GROVES := 26
 const IN_GROVE := Vector2i(1, 11)  # trees, fewest and most
 const SPREAD := 18.0  # metres, from the middle of a grove
 const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
-const LEAVES: Array[Color] = [Color(0.45, 0.56, 0.24), Color(0.55, 0.62, 0.29), Color(0.37, 0.5, 0.23)]
-const BARK := Color(0.2, 0.16, 0.12)
+const LEAVES: Array[Color] = [Color(0.47, 0.55, 0.25), Color(0.56, 0.6, 0.31), Color(0.39, 0.5, 0.25)]
+const BARK := Color(0.4, 0.35, 0.29)
 const KINDS := 3  # of trees, each with a shape of its own
-const PARTS := 13  # of a crown, each at the end of a limb; lengths here are in heights of the tree
-const CROWN := Vector2(0.36, 0.9)  # heights of the lowest and of the highest part
-const WIDEST := 0.28  # from the trunk to the middle of a part, at most
-const PART := Vector2(0.1, 0.16)  # half the width of a part, least and most
-const FLAT := 0.72  # height of a part over its width
+const PARTS := 19  # of a crown, each at the end of a limb; lengths here are in heights of the tree
+const CROWN := Vector2(0.3, 0.92)  # heights of the lowest and of the highest part
+const WIDEST: Array[float] = [0.25, 0.19, 0.3]  # from the trunk to the middle of a part, at most, for each kind
+const PART := Vector2(0.07, 0.13)  # about half the width of a part, least and most
+const FLAT := 0.75  # height of a part over its width
 const FORK := 0.55  # where a limb leaves the trunk, over the height of its part
 const TRUNK := 0.021  # radius of the trunk above its foot
 const FOOT := 1.9  # radius there over that
 const SIDES := 7  # of trunks and limbs
-const CARDS := 36  # of a part
-const CARD := Vector2(0.05, 0.085)  # half the side of a card, least and most
-const INSIDE := 0.35  # radii of a part from which on there are cards
-const SHADE := 0.7  # of the light inside of the crown and on its underside
+const CARDS := 38  # of a part
+const CARD := Vector2(0.036, 0.064)  # half the side of a card, least and most
+const SHADE := 0.68  # of the light inside of the crown and on its underside
 const PICTURE := 256  # texels, the side of the picture of a twig
-const LEAVES_ON_CARD := 230
+const SPRIGS := 9  # on a card, each with leaves on both sides
+const PAIRS := 12  # of leaves on a sprig
 
 const Hills := preload("res://demo/walk/hills.gd")
 const Foliage := preload("res://demo/walk/foliage.gdshader")
@@ -100,16 +100,16 @@ static func _foliage() -> ShaderMaterial:
 	return foliage
 
 
-## Returns the middles of a crown's parts, around the trunk and upwards, and half their widths: in w.
+## Returns the middles of a crown's parts, around the trunk and upwards, and about half their widths: in w.
 static func _parts(kind: int) -> Array[Vector4]:
 	var random := RandomNumberGenerator.new()
 	random.seed = 21 + kind
 	var parts: Array[Vector4] = []
 	for part in PARTS:
 		var up := (part + random.randf()) / PARTS
-		var away := WIDEST * sqrt(sin(PI * lerpf(0.3, 0.97, up))) * random.randf_range(0.6, 1.1)
-		var side := Vector2.from_angle(2.4 * part + random.randf_range(-0.4, 0.4)) * away
-		parts.append(Vector4(side.x, lerpf(CROWN.x, CROWN.y, up), side.y, lerpf(PART.y, PART.x, up * random.randf_range(0.7, 1.0))))
+		var away := WIDEST[kind] * sqrt(sin(PI * lerpf(0.25, 0.98, up))) * random.randf_range(0.35, 1.15)
+		var side := Vector2.from_angle(2.4 * part + random.randf_range(-0.5, 0.5)) * away
+		parts.append(Vector4(side.x, lerpf(CROWN.x, CROWN.y, up), side.y, lerpf(PART.y, PART.x, up * random.randf_range(0.5, 1.0))))
 	return parts
 
 
@@ -144,7 +144,7 @@ static func _add_tube(surface: SurfaceTool, from: Vector3, to: Vector3, first: f
 			surface.add_vertex((to + ring[corner] * last) if up[corner] else (from + ring[corner] * first))
 
 
-## Makes the crown of a tree that is 1 high: cards in the parts' shells, most of them outside.
+## Makes the crown of a tree that is 1 high: cards around the parts' middles, fewer with the distance, so that no outline is round.
 static func _crown(parts: Array[Vector4]) -> ArrayMesh:
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
@@ -155,12 +155,12 @@ static func _crown(parts: Array[Vector4]) -> ArrayMesh:
 	for part in parts:
 		for card in CARDS:
 			var out := Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
-			var away := lerpf(1.1, INSIDE, pow(random.randf(), 2.0))
+			var away := absf(random.randfn(0.75, 0.3))
 			var middle := Vector3(part.x, part.y, part.z) + out * away * part.w * Vector3(1.0, FLAT, 1.0)
-			var outside := smoothstep(0.05, 0.3, ((middle - heart) * Vector3(1.0, 0.7, 1.0)).length())
-			var light := lerpf(SHADE, 1.0, smoothstep(-0.7, 0.7, out.y) * outside)
-			light *= lerpf(0.75, 1.0, smoothstep(CROWN.x, CROWN.y, middle.y)) * random.randf_range(0.85, 1.1)
-			_add_card(surface, 4 * cards, middle, (out + 2.0 * (middle - heart) + 0.25 * Vector3.UP).normalized(), light, random)
+			var from_heart := (middle - heart) * Vector3(1.0, 0.75, 1.0)
+			var outside := smoothstep(0.03, 0.26, from_heart.length())
+			var light := lerpf(SHADE, 1.0, outside) * lerpf(SHADE, 1.0, smoothstep(-0.5, 0.6, 0.6 * out.y + 2.0 * from_heart.y))
+			_add_card(surface, 4 * cards, middle, (0.5 * out + 3.0 * from_heart + 0.3 * Vector3.UP).normalized(), light, random)
 			cards += 1
 	return surface.commit()
 
@@ -182,16 +182,25 @@ static func _add_card(
 		surface.add_index(first + index)
 
 
-## Draws leaves in a loose round, white and transparent, some lighter than others.
+## Draws sprigs with leaves that spread from the middle, white and transparent, the upper ones lighter. Between them is nothing: far away
+## a card would otherwise become a disc.
 static func _twig() -> Image:
 	var random := RandomNumberGenerator.new()
 	random.seed = 4
 	var image := Image.create_empty(PICTURE, PICTURE, false, Image.FORMAT_RGBA8)
-	image.fill(Color(0.75, 0.75, 0.75, 0.0))
-	for leaf in LEAVES_ON_CARD:
-		var at := Vector2.from_angle(TAU * random.randf()) * (0.43 * sqrt(random.randf())) + Vector2(0.5, 0.5)
-		var way := (at - Vector2(0.5, 0.5)).normalized().rotated(random.randf_range(-0.9, 0.9))
-		_draw_leaf(image, at, way, random.randf_range(0.045, 0.08), lerpf(0.55, 1.0, leaf / (LEAVES_ON_CARD - 1.0)))
+	image.fill(Color(0.85, 0.85, 0.85, 0.0))
+	for sprig in SPRIGS:
+		var way := Vector2.from_angle(TAU * (sprig + 0.6 * random.randf()) / SPRIGS)
+		var reach := random.randf_range(0.3, 0.47)
+		var bend := random.randf_range(-0.5, 0.5)
+		for pair in PAIRS:
+			var along := (pair + random.randf()) / PAIRS
+			var at := Vector2(0.5, 0.5) + way.rotated(bend * along) * reach * along
+			var light := lerpf(0.72, 1.0, along) * random.randf_range(0.88, 1.0)
+			for side: float in [-0.8, 0.8]:
+				var points := way.rotated(bend * along + side + random.randf_range(-0.3, 0.3))
+				var half := random.randf_range(0.026, 0.042)
+				_draw_leaf(image, at + points * half, points, half, light * (1.0 if side > 0.0 else 0.92))
 	image.generate_mipmaps()
 	return image
 

@@ -51,3 +51,20 @@ func test_hills_whiten() -> void:
 	landscape.set_weather(1.0, 0.0)
 	assert_greater(look.material_override.albedo_color.b, green.b + 0.4)
 	assert_eq(landscape.country.fields[0].snow, 1.0)
+
+
+func test_the_sun_reaches_the_groves_and_has_a_disc() -> void:
+	var world := WorldEnvironment.new()
+	world.environment = load("res://demo/day.tres")
+	var sun := DirectionalLight3D.new()
+	sun.light_energy = 2.0
+	Landscape.open_sky(world, sun)
+	assert_greater(sun.directional_shadow_max_distance, 200.0)
+	assert_less(sun.directional_shadow_split_1 * sun.directional_shadow_max_distance, 8.0, "fine near shadows")
+	assert_eq(sun.sky_mode, DirectionalLight3D.SKY_MODE_LIGHT_ONLY)
+	var disc: DirectionalLight3D = sun.get_node(^"Disc")
+	assert_eq(disc.sky_mode, DirectionalLight3D.SKY_MODE_SKY_ONLY, "it lights no grass")
+	assert_greater(disc.light_energy, 2.0 * sun.light_energy)
+	assert_true(world.environment != load("res://demo/day.tres"), "the file's stays as it is")
+	world.free()
+	sun.free()

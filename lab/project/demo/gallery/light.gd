@@ -5,6 +5,7 @@ extends Node3D
 const Probes := preload("res://demo/gallery/probes.gd")
 const Place := preload("res://demo/gallery/place.gd")
 const Landscape := preload("res://demo/landscape.gd")
+const Sun := preload("res://demo/sun.gd")
 const DAY := preload("res://demo/day.tres")
 const WALLS := {Vector3(-3.2, 1.3, 1.0): Color(0.75, 0.08, 0.06), Vector3(3.2, 1.3, 1.0): Color(0.85, 0.85, 0.82)}
 const LOW := 25.0  # degrees: a lower sun is warm
@@ -23,7 +24,7 @@ func _init(view: Dictionary) -> void:
 		"clear":
 			add_child(_sun(view.sun))
 			if view.sun.x < LOW:
-				_set_sky(Color(0.24, 0.36, 0.6), Color(0.93, 0.74, 0.52), 1.0)
+				_set_sky(Color(0.25, 0.41, 0.63), Color(0.94, 0.8, 0.6), 1.0)
 		"overcast":
 			_set_sky(Color(0.62, 0.65, 0.68), Color(0.78, 0.8, 0.82), 1.0)
 		"night":
@@ -51,6 +52,7 @@ func _sun(height_and_side: Vector2) -> DirectionalLight3D:
 	sun.light_energy = 1.4
 	sun.shadow_enabled = true
 	sun.directional_shadow_max_distance = 80.0
+	Sun.complete(sun, _environment.sky.sky_material)
 	return sun
 
 
