@@ -13,6 +13,13 @@
 #include "base/structs.inc"
 #include "base/hash.inc"
 #include "base/rows.inc"
+
+// The tables of levels.inc, which each thread looks through: segments in the lowest bits, then blades. NVIDIA's compiler may give each thread
+// a copy of a constant array, in memory. One more than it uses, see group_tiles.
+shared uint level_meshes[GRASS_ALL_LEVELS + 1];
+#define LEVEL_SEGMENT_BITS 4
+#define GRASS_SEGMENTS_AT(m_level) int(level_meshes[m_level] & ((1u << LEVEL_SEGMENT_BITS) - 1u))
+#define GRASS_BLADES_AT(m_level) int(level_meshes[m_level] >> LEVEL_SEGMENT_BITS)
 #include "lod/lod.inc"
 
 layout(local_size_x = GRASS_CULL_GROUP) in;
@@ -131,7 +138,7 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 	float shown = grass_lod_shown(p_need.blades, p_hash);
 	Choice choice = Choice(-1, p_need.blades < 1.0 ? p_need.blades : shown, grass_lod_shown(p_need.covering, p_hash), 0.0, 0u);
 	if (shown > 0.0) {
-		int segments = min(grass_lod_segments(p_need.segments), GRASS_SEGMENTS_OF[p_first]);
+		int segments = min(grass_lod_segments(p_need.segments), GRASS_SEGMENTS_AT(p_first));
 		choice.level = grass_lod_level(shown, segments, p_first, p_end, view.levels.x, view.levels.y);
 		choice.morph = grass_lod_morph(p_need.segments, segments);
 	}
@@ -207,6 +214,13 @@ void write_command(int p_level) {
 	imageStore(drawn_tiles, ivec2(p_level, 0), vec4(float(first_place(p_level)), 0.0, 0.0, 0.0));
 }
 
+// Before a barrier.
+void share_levels(int p_thread) {
+	if (p_thread < GRASS_ALL_LEVELS) {
+		level_meshes[p_thread] = uint(GRASS_SEGMENTS_OF[p_thread]) | (uint(GRASS_BLADES_OF[p_thread]) << LEVEL_SEGMENT_BITS);
+	}
+}
+
 // Clears a workgroup's counts before its tiles are added.
 void clear_group(int p_thread) {
 	if (p_thread < GRASS_ALL_LEVELS) {
@@ -274,6 +288,7 @@ void main() {
 		begin_instance(find_thread());
 		return;
 	}
+	share_levels(thread);
 	if (phase.x != uint(GRASS_CULL_COUNT)) {
 		read_counts(thread);
 	}
