@@ -9,6 +9,7 @@ const MOST_VERTICES := 150
 const PICTURE := Vector2i(64, 128)  # texels; beside it a texture has a strip that is white, for stalks
 const STRIP := 16
 const OPAQUE := Vector2((PICTURE.x + 0.6 * STRIP) / (PICTURE.x + STRIP), 0.5)
+const HEAD := 0.7  # size of a daisy's head; with 1 it would be as wide as a hand
 const FOLDER := "res://addons/grass_field/presets/plants/"
 
 var _places: PackedVector3Array
@@ -203,12 +204,12 @@ func _grow_ox_eye_daisy() -> void:
 	var centre := Vector3(0, 0.965, 0)
 	var right := facing.cross(Vector3.BACK).normalized()
 	var front := right.cross(facing).normalized()
-	_cup(centre - facing * 0.012, facing, right, front, Color(0.24, 0.4, 0.14))
+	_cup(centre - HEAD * facing * 0.012, facing, right, front, Color(0.24, 0.4, 0.14))
 	const RAYS := 16
 	for i in RAYS:
 		var turn := TAU * i / RAYS + _dice.randf_range(-0.06, 0.06)
 		var out := right * cos(turn) + front * sin(turn)
-		_ray(centre, out, facing, 0.098 * _dice.randf_range(0.93, 1.04), _dice.randf_range(-0.16, 0.1), i % 2 * 0.0015)
+		_ray(centre, out, facing, HEAD * 0.098 * _dice.randf_range(0.93, 1.04), _dice.randf_range(-0.16, 0.1), i % 2 * HEAD * 0.0015)
 	_disc(centre, facing, right, front)
 
 
@@ -217,29 +218,29 @@ func _ray(centre: Vector3, out: Vector3, facing: Vector3, size: float, droop: fl
 	var high := Color(0.97, 0.97, 0.95)
 	var tip := centre + out * size + facing * (size * droop + lift)
 	var normal := facing + 0.25 * out
-	var first := _point(centre + out * 0.02 + facing * lift, normal, Color(0.86, 0.87, 0.8))
+	var first := _point(centre + HEAD * out * 0.02 + facing * lift, normal, Color(0.86, 0.87, 0.8))
 	for side: float in [-1.0, 1.0]:
-		_point(tip + across * side * 0.0155 - out * 0.012, normal + 0.35 * side * across, high)
-	_point(tip + out * 0.004, normal, high)
+		_point(tip + HEAD * (across * side * 0.0155 - out * 0.012), normal + 0.35 * side * across, high)
+	_point(tip + HEAD * out * 0.004, normal, high)
 	_indices.append_array([first, first + 1, first + 2, first + 1, first + 3, first + 2])
 
 
 func _disc(centre: Vector3, facing: Vector3, right: Vector3, front: Vector3) -> void:
-	var top := _point(centre + facing * 0.017, facing, Color(0.9, 0.66, 0.07))
+	var top := _point(centre + HEAD * facing * 0.017, facing, Color(0.9, 0.66, 0.07))
 	const SIDES := 8
 	for i in SIDES:
 		var out := right * cos(TAU * i / SIDES) + front * sin(TAU * i / SIDES)
-		_point(centre + out * 0.031 + facing * 0.003, facing + out, Color(0.82, 0.54, 0.04))
+		_point(centre + HEAD * (out * 0.031 + facing * 0.003), facing + out, Color(0.82, 0.54, 0.04))
 	for i in SIDES:
 		_indices.append_array([top, top + 1 + i, top + 1 + (i + 1) % SIDES])
 
 
 func _cup(centre: Vector3, facing: Vector3, right: Vector3, front: Vector3, color: Color) -> void:
-	var low := _point(centre - facing * 0.012, -facing, color.darkened(0.2))
+	var low := _point(centre - HEAD * facing * 0.012, -facing, color.darkened(0.2))
 	const SIDES := 6
 	for i in SIDES:
 		var out := right * cos(TAU * i / SIDES) + front * sin(TAU * i / SIDES)
-		_point(centre + out * 0.034 + facing * 0.01, out - facing, color)
+		_point(centre + HEAD * (out * 0.034 + facing * 0.01), out - facing, color)
 	for i in SIDES:
 		_indices.append_array([low, low + 1 + i, low + 1 + (i + 1) % SIDES])
 

@@ -58,15 +58,19 @@ TEST_CASE("plant_views: each side shows what faces it, the nearest first, as lar
 	const std::vector<PictureSurface> surfaces = { wall(x, z, 0.5f, 1.0f, red), wall(-x, z, 0.5f, 1.0f, blue) };
 	const std::vector<PlantView> views = draw_views(surfaces, 1.0f, SIDES, TEXELS).views;
 	REQUIRE(views.size() == SIDES + 1);
-	const Seen from_x = look_at(views[0]), from_behind = look_at(views[SIDES / 2]);
-	CHECK((from_x.color - red).norm() < 0.01f);
-	CHECK((from_x.normal - x).norm() < 0.02f);
-	CHECK(from_x.share == doctest::Approx(0.25 * 0.5).epsilon(0.02)); // half a metre of two across, the upper half
-	CHECK((from_behind.color - blue).norm() < 0.01f);
-	CHECK((from_behind.normal + x).norm() < 0.02f);
+	const auto is_colored = [&](int p_view, const Eigen::Vector3f &p_color, const Eigen::Vector3f &p_normal) {
+		const size_t n = size_t(4 * (TEXELS / 4 * TEXELS + TEXELS / 2)); // where both are, one behind the other
+		const std::vector<uint8_t> &color = views[size_t(p_view)].colors, &normal = views[size_t(p_view)].normals;
+		CHECK((Eigen::Vector3f(color[n], color[n + 1], color[n + 2]) / 255.0f - p_color).norm() < 0.01f);
+		CHECK((Eigen::Vector3f(normal[n], normal[n + 1], normal[n + 2]) / 127.5f - Eigen::Vector3f::Ones() - p_normal).norm() < 0.02f);
+	};
+	is_colored(0, red, x);
+	is_colored(SIDES / 2, blue, -x);
+	const PlantView alone = draw_views(std::span(&surfaces[0], 1), 1.0f, SIDES, TEXELS).views[0];
+	CHECK(look_at(alone).share == doctest::Approx(0.25 * 0.5).epsilon(0.02)); // half a metre of two across, half of its height
 	CHECK(look_at(views[SIDES / 4]).share == doctest::Approx(0.0)); // both from their edges
-	for (int n = 0; n < TEXELS * TEXELS / 2; n++) {
-		CHECK(views[0].colors[size_t(4 * (n + TEXELS * TEXELS / 2) + 3)] == 0); // nothing in the lower half
+	for (int n = TEXELS * TEXELS * 2 / 3; n < TEXELS * TEXELS; n++) { // what is nearer looks lower, to an eye above
+		CHECK(views[0].colors[size_t(4 * n + 3)] == 0);
 	}
 	CHECK(views[0].colors[size_t(4 * (TEXELS * TEXELS - 1))] == 255); // but with the colour of what is drawn
 }
@@ -129,4 +133,32 @@ TEST_CASE("plant_views: what is transparent is not drawn, and a mesh of nothing 
 		CHECK(view.colors.size() == size_t(4 * (4 * TEXELS * TEXELS - 1) / 3));
 		CHECK(view.colors[3] == 0);
 	}
+}
+
+TEST_CASE("plant_views: beside what is thin, transparent texels have its colour") {
+	const std::vector<PictureSurface> surfaces = { wall({ 1, 0, 0 }, { 0, 0, 1 }, 0.0f, 0.5f, { 0, 1, 0 }),
+		wall({ 1, 0, 0 }, { 0, 0, 1 }, 0.75f, 0.8125f, { 1, 1, 1 }) };
+	const PlantView view = draw_views(surfaces, 1.0f, SIDES, TEXELS).views[0];
+	const uint8_t *above = &view.colors[size_t(4 * (9 * TEXELS + TEXELS / 2))];
+	CHECK(above[3] == 0);
+	CHECK(above[0] == 255);
+}
+
+TEST_CASE("plant_views: the sides show what lies from a little above, and the top does not show what is far below it") {
+	const auto lying = [](float p_height, float p_half, const Eigen::Vector3f &p_color) {
+		PictureSurface leaf;
+		leaf.places = { { -p_half, p_height, -p_half }, { p_half, p_height, -p_half }, { p_half, p_height, p_half },
+			{ -p_half, p_height, p_half } };
+		leaf.normals.assign(4, Eigen::Vector3f(0, 1, 0));
+		leaf.colors.assign(4, p_color);
+		leaf.uvs.assign(4, Eigen::Vector2f::Zero());
+		leaf.indices = { 0, 1, 2, 0, 2, 3 };
+		return leaf;
+	};
+	const Eigen::Vector3f white(1, 1, 1), red(1, 0, 0);
+	const std::vector<PictureSurface> surfaces = { lying(0.8f, 0.4f, white), lying(0.2f, 0.5f, red) };
+	const std::vector<PlantView> views = draw_views(surfaces, 1.0f, SIDES, TEXELS).views;
+	CHECK(look_at(views[0]).share == doctest::Approx((0.8 * 0.8 + 1.0) / 2.0 * std::tan(0.26)).epsilon(0.1));
+	CHECK((look_at(views[SIDES]).color - white).norm() < 0.01f);
+	CHECK(views[SIDES].depth == doctest::Approx(0.8));
 }

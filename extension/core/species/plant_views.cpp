@@ -16,8 +16,12 @@ namespace grass {
 namespace {
 
 constexpr int FINER = 3; // samples for each texel, along a side
+constexpr float NOTHING = -std::numeric_limits<float>::infinity(); // depth where nothing is
+// The picture from above lies high up. What is farther below is not in it: up there it would hide the flowers behind.
+constexpr float LAYER = 0.5f;
 // From the side the picture shows what an eye so much above the horizon sees of the plant, radians: mostly the upper sides of leaves, which
-// are lighter. Somebody upright sees plants 6 m away at this angle.
+// are lighter, and of flowers that lie about as much as an eye beside them sees in the mean, since stems lean. Somebody upright sees plants
+// 6 m away at this angle.
 constexpr float RAISED = 0.26f;
 
 // As the engine decodes a texture of colours.
@@ -34,7 +38,8 @@ struct ViewFrame {
 
 ViewFrame frame_from_side(float p_angle, float p_reach) {
 	const float x = std::cos(p_angle), z = std::sin(p_angle);
-	return { { z, 0, -x }, { 0, 1, 0 }, Eigen::Vector3f(x, std::tan(RAISED), z).normalized(), 2.0f * p_reach, 0.0f, 1.0f };
+	const float raised = std::tan(RAISED);
+	return { { z, 0, -x }, { -raised * x, 1, -raised * z }, Eigen::Vector3f(x, raised, z).normalized(), 2.0f * p_reach, 0.0f, 1.0f };
 }
 
 ViewFrame frame_from_above(float p_reach) {
@@ -52,8 +57,10 @@ ViewFrame frame_aslant(float p_angle, float p_reach) {
 // One view: samples with the nearest of what covers them.
 class ViewPainter {
 public:
-	ViewPainter(std::span<const PictureSurface> p_surfaces, const ViewFrame &p_frame, int p_texels) :
+	// p_least: depth, towards the eye, of what is drawn.
+	ViewPainter(std::span<const PictureSurface> p_surfaces, const ViewFrame &p_frame, int p_texels, float p_least = NOTHING) :
 			_frame(p_frame),
+			_least(p_least),
 			_side(FINER * p_texels),
 			_scale(float(_side) / p_frame.width, float(_side) / p_frame.height),
 			_samples(size_t(_side) * size_t(_side)) {
@@ -78,35 +85,49 @@ public:
 	}
 
 	PlantView shrunk() const {
+		std::vector<Level> levels{ smaller({ _samples, _side }, FINER) };
+		while (levels.back().side > 1) {
+			levels.push_back(smaller(levels.back(), 2));
+		}
+		for (size_t i = levels.size() - 1; i > 0; i--) {
+			fill_gaps(levels[i - 1], levels[i]);
+		}
 		PlantView view;
 		view.depth = find_depth();
-		const Sample all = mean_of(_samples, _side, 0, 0, _side);
-		std::vector<Sample> level;
-		int side = _side / FINER;
-		for (int n = 0; n < side * side; n++) {
-			level.push_back(mean_of(_samples, _side, n % side * FINER, n / side * FINER, FINER));
+		for (const Level &level : levels) {
+			for (const Sample &texel : level.texels) {
+				append(texel, view);
+			}
 		}
-		while (true) {
-			for (const Sample &texel : level) {
-				append(texel, all, view);
+		return view;
+	}
+
+	// Returns where most of the nearer parts are, towards the eye.
+	float find_depth() const {
+		constexpr double NEARER = 0.8; // share of what is seen that may be farther away: a flower is nearer than the leaves below it
+		std::vector<float> depths;
+		for (const Sample &sample : _samples) {
+			if (sample.share > 0.0f) {
+				depths.push_back(sample.depth);
 			}
-			if (side <= 1) {
-				return view;
-			}
-			std::vector<Sample> half;
-			for (int n = 0; n < side * side / 4; n++) {
-				half.push_back(mean_of(level, side, n % (side / 2) * 2, n / (side / 2) * 2, 2));
-			}
-			level = std::move(half);
-			side /= 2;
 		}
+		if (depths.empty()) {
+			return 0.0f;
+		}
+		const auto at = depths.begin() + std::ptrdiff_t(NEARER * double(depths.size() - 1));
+		std::nth_element(depths.begin(), at, depths.end());
+		return *at;
 	}
 
 private:
 	struct Sample {
 		Eigen::Vector3f color = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero(); // linear; in the plant's axes
-		float depth = -std::numeric_limits<float>::infinity();
+		float depth = NOTHING;
 		float share = 0.0f; // 1: covered
+	};
+	struct Level {
+		std::vector<Sample> texels;
+		int side;
 	};
 
 	void draw(const PictureSurface &p_surface) {
@@ -151,7 +172,7 @@ private:
 			return (p_part[0] * p_values[p_corners[0]] + p_part[1] * p_values[p_corners[1]] + p_part[2] * p_values[p_corners[2]]).eval();
 		};
 		const float depth = mix(p_surface.places).dot(_frame.to_eye);
-		if (depth < r_sample.depth) {
+		if (depth < std::max(r_sample.depth, _least)) {
 			return;
 		}
 		const Eigen::Vector4f texel = texel_of(p_surface, mix(p_surface.uvs));
@@ -181,28 +202,30 @@ private:
 		return sum;
 	}
 
-	float find_depth() const {
-		constexpr double NEARER = 0.8; // share of what is seen that may be farther away: a flower is nearer than the leaves below it
-		std::vector<float> depths;
-		for (const Sample &sample : _samples) {
-			if (sample.share > 0.0f) {
-				depths.push_back(sample.depth);
-			}
+	static Level smaller(const Level &p_level, int p_times) {
+		Level made{ {}, p_level.side / p_times };
+		for (int n = 0; n < made.side * made.side; n++) {
+			made.texels.push_back(mean_of(p_level.texels, p_level.side, n % made.side * p_times, n / made.side * p_times, p_times));
 		}
-		if (depths.empty()) {
-			return 0.0f;
-		}
-		const auto at = depths.begin() + std::ptrdiff_t(NEARER * double(depths.size() - 1));
-		std::nth_element(depths.begin(), at, depths.end());
-		return *at;
+		return made;
 	}
 
-	// p_all: what a texel shows that is not covered.
-	void append(const Sample &p_texel, const Sample &p_all, PlantView &r_view) const {
-		const Sample &shown = p_texel.share > 0.0f ? p_texel : p_all;
-		const Eigen::Vector3f normal = shown.normal.norm() > 1e-6f ? Eigen::Vector3f(shown.normal.normalized()) : _frame.to_eye;
+	// Gives transparent texels the colour around them, with which a sampler mixes that of their neighbours: with another one, all that is
+	// thin would change its colour.
+	static void fill_gaps(Level &r_level, const Level &p_half) {
+		for (int n = 0; n < r_level.side * r_level.side; n++) {
+			Sample &texel = r_level.texels[size_t(n)];
+			if (texel.share == 0.0f) {
+				texel = p_half.texels[size_t(n / r_level.side / 2 * p_half.side + n % r_level.side / 2)];
+				texel.share = 0.0f;
+			}
+		}
+	}
+
+	void append(const Sample &p_texel, PlantView &r_view) const {
+		const Eigen::Vector3f normal = p_texel.normal.norm() > 1e-6f ? Eigen::Vector3f(p_texel.normal.normalized()) : _frame.to_eye;
 		for (int c = 0; c < 3; c++) {
-			r_view.colors.push_back(encoded(shown.color[c]));
+			r_view.colors.push_back(encoded(p_texel.color[c]));
 			r_view.normals.push_back(uint8_t(std::lround(127.5f + 127.5f * normal[c])));
 		}
 		r_view.colors.push_back(uint8_t(std::lround(255.0f * p_texel.share)));
@@ -210,6 +233,7 @@ private:
 	}
 
 	ViewFrame _frame;
+	float _least;
 	int _side;
 	Eigen::Vector2f _scale; // samples for each unit of the mesh
 	std::vector<Sample> _samples;
@@ -245,8 +269,10 @@ float angle_of(int p_side, int p_sides) {
 PlantViews draw_views(
 		std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels, const std::atomic<bool> *p_is_stopped) {
 	PlantViews views;
-	const ViewPainter above(p_surfaces, frame_from_above(p_reach), p_texels);
-	const PlantView top = above.shrunk();
+	const float high = ViewPainter(p_surfaces, frame_from_above(p_reach), p_texels).find_depth();
+	const ViewPainter above(p_surfaces, frame_from_above(p_reach), p_texels, high - LAYER);
+	PlantView top = above.shrunk();
+	top.depth = high;
 	SeenAslant seen;
 	for (int k = 0; k < p_sides && !(p_is_stopped && *p_is_stopped); k++) {
 		const float angle = angle_of(k, p_sides);
