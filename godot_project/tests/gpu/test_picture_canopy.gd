@@ -114,3 +114,31 @@ func test_shadows_of_other_things_are_black_on_grass() -> void:
 	var shaded := light_of(await picture())
 	print("    %.4f of %.4f below a roof" % [shaded, lit])
 	assert_less(shaded, 0.005 * lit, "no light gets through")
+
+
+## Around a field there is often one with fewer and wider blades that casts no shadows. From above no border shows, wherever the sun is: as
+## many pixels a blade as in a picture of 1080 rows.
+func test_no_border_shows_from_above_beside_a_field_of_wider_blades() -> void:
+	const WIDER := 2.5
+	var calm := {size = Vector2(20, 40), clump_height = 0.0, clump_lean = 0.0, clump_tint = 0.0, border_fade = 0.0}
+	var fine := add_seen_field(calm.merged({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON}, true))
+	var patch := GrassPatch.new()
+	patch.width_min *= WIDER
+	patch.width_max *= WIDER
+	var wide := add_seen_field(calm.merged({density = 64.0, shadow_distance = 0.0, species = kind({patch = patch})}))
+	sun.shadow_enabled = true
+	camera.fov = 8.0
+	look_down(59.0)
+	for angle: float in [0.0, 90.0, 180.0]:
+		var ratio := 1.0
+		for side: float in [-1.0, 1.0]:
+			fine.position.x = 10.0 * side
+			wide.position.x = -10.0 * side
+			sun.rotation_degrees = Vector3(-41, angle, 0)
+			var image := await picture()
+			save(image, "wider_%d_%d" % [angle, side])
+			var left := light_of(image.get_region(Rect2i(4, 0, SIZE.x / 2 - 8, SIZE.y)))
+			var right := light_of(image.get_region(Rect2i(SIZE.x / 2 + 4, 0, SIZE.x / 2 - 8, SIZE.y)))
+			ratio *= right / left if side < 0.0 else left / right
+		print("    sun from %d degrees: wider blades are %.3f times as light as fine ones" % [angle, sqrt(ratio)])
+		assert_near(sqrt(ratio), 1.0, 0.04, "sun from %d degrees" % angle)
