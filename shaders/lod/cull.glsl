@@ -14,8 +14,8 @@
 #include "base/hash.inc"
 #include "base/rows.inc"
 
-// The tables of levels.inc, which each thread looks through: segments in the lowest bits, then blades. NVIDIA's compiler may give each thread
-// a copy of a constant array, in memory. One more than it uses, see group_tiles.
+// The tables of levels.inc, which each thread looks through: segments in the lowest bits, then blades. NVIDIA's compiler may give each
+// thread a copy of a constant array, in memory. One more than it uses, see group_tiles.
 shared uint level_meshes[GRASS_ALL_LEVELS + 1];
 #define LEVEL_SEGMENT_BITS 4
 #define GRASS_SEGMENTS_AT(m_level) int(level_meshes[m_level] & ((1u << LEVEL_SEGMENT_BITS) - 1u))
