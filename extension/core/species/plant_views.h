@@ -9,8 +9,8 @@
 namespace grass {
 
 // From the side, seen from a little above, the picture is as wide as the plant's reach to both sides, and reaches from its root to its tip.
-// From above it is as wide and as deep as that, and shows the upper parts. All mipmaps follow each other, the largest first; in each the alpha is the share of a texel that is covered, and
-// transparent texels have the mean of those around them.
+// From above it is as wide and as deep as that, and shows the upper parts. All mipmaps follow each other, the largest first; in each the
+// alpha is the share of a texel that is covered, and transparent texels have the mean of those around them.
 struct PlantView {
 	std::vector<uint8_t> colors; // RGBA8, sRGB
 	std::vector<uint8_t> normals; // RGBA8: x, y, z in the plant's axes, -1..1; alpha unused
