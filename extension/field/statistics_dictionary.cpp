@@ -52,8 +52,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["pool_bytes"] = p_statistics.pool_bytes;
 	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
-	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
-	result["still_tile_steps"] = int64_t(tiles.still_steps);
 	result["followed_blade_steps"] = int64_t(tiles.followed_blades);
 	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
@@ -61,7 +59,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["visited_frames"] = p_statistics.visited_frames;
 	result["wind_updates"] = p_statistics.wind_updates;
 	result["woken"] = int64_t(tiles.woken);
-	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);
 	result["capped"] = int64_t(tiles.capped);
 	result["wheels"] = p_statistics.wheels;
@@ -79,7 +76,6 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["engine_calls"] = p_statistics.reads.engine_calls;
 	result["tiles_looked_at"] = int64_t(tiles.looked_at);
 	result["colliders"] = tiles.colliders;
-	result["bad_colliders"] = int64_t(tiles.bad_colliders);
 	result["steps"] = backend.steps;
 	result["simulated_blades"] = backend.simulated_blades;
 	result["strain_blades"] = backend.strain_blades;

@@ -55,8 +55,7 @@ TEST_CASE("tiles: one whose colliders have stood still for long is left as it is
 	CHECK(scene.manager.get_collider_list().empty());
 	CHECK(scene.manager.get_sharp().empty());
 	CHECK(!scene.is_simulated());
-	CHECK(scene.manager.get_statistics().still_steps == 2);
-	CHECK(scene.manager.get_statistics().unseen_steps == 0);
+	CHECK(scene.manager.get_statistics().still == scene.manager.get_statistics().awake);
 	SUBCASE("a collider that moves") {
 		scene.balls[0].now.position.y() += 0.01;
 		CHECK(scene.is_simulated());

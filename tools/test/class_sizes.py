@@ -14,7 +14,7 @@ LIMIT = 400
 # Headers of larger classes, with their lines. An entry may only shrink, and leaves when its class fits.
 LARGER = {
 	"extension/core/tiles/tile_meetings.h": 707,
-	"extension/core/tiles/tiles.h": 800,
+	"extension/core/tiles/tiles.h": 798,
 	"extension/editor/grass_editor_plugin.h": 697,
 }
 

@@ -77,8 +77,6 @@ struct TileStatistics {
 	int list_entries = 0; // now: total number of colliders of the simulated tiles
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // simulated tiles, summed over the steps
-	uint64_t unseen_steps = 0; // awake tiles that were not simulated since they were calm and out of view
-	uint64_t still_steps = 0; // awake tiles that were not simulated since nothing on them changed
 	uint64_t left_out_blades = 0; // blades of simulated tiles that were not simulated since no camera needs them, summed over the steps
 	uint64_t followed_blades = 0; // those of left_out_blades that are drawn all the same, and follow others
 	uint64_t widened = 0; // times that a tile's drawn blades became more

@@ -86,8 +86,6 @@ void TileManager::write_records() {
 	_statistics.simulated = _simulated.count();
 	_statistics.settling = _settling.count();
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
-	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated - _statistics.still);
-	_statistics.still_steps += uint64_t(_statistics.still);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
 	_met.clear();
 	_stirred.clear();

@@ -31,6 +31,18 @@ func is_told(part: String) -> bool:
 	return labels.any(func(label: Label) -> bool: return label.text.contains(part))
 
 
+func close_messages() -> void:
+	for button: Button in EditorInterface.get_editor_toaster().find_children("*", "Button", true, false):
+		button.pressed.emit()
+
+
+## Returns how many steps the history of the edited scene has.
+func count_steps() -> int:
+	var histories: EditorUndoRedoManager = plugin.get_undo_redo()
+	var id := histories.get_object_history_id(EditorInterface.get_edited_scene_root())
+	return histories.get_history_undo_redo(id).get_history_count()
+
+
 ## Restores the state in which every test begins, whatever others did.
 func reset_brush() -> void:
 	var in_hand: BaseButton = toolbar.get_node("Why").button_group.get_pressed_button()
@@ -45,8 +57,7 @@ func reset_brush() -> void:
 
 
 func after() -> void:
-	for button: Button in EditorInterface.get_editor_toaster().find_children("*", "Button", true, false):
-		button.pressed.emit()  # closes a message, which would catch the next test's clicks
+	close_messages()  # one would catch the next test's clicks
 	EditorInterface.save_scene()  # nothing must ask whether to save when the next test opens its scene
 	await select(null)  # what is selected when the editor closes, it looks for once more where there is no tree any longer
 

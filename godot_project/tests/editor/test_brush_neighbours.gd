@@ -4,6 +4,7 @@
 extends "res://tests/editor/editor_case.gd"
 
 const ACROSS: Array = [Vector3(1, 0, 0), Vector3(2, 0, 0), Vector3(3, 0, 0), Vector3(4, 0, 0)]
+const BESIDE := Vector3(3.75, 0, -1.5)  # on the neighbour alone
 
 var right: GrassField  # turned by a quarter, begins 2.5 m to the right of the middle
 
@@ -117,6 +118,19 @@ func test_a_shared_map_is_painted_in_one_of_its_places() -> void:
 	await stroke(ACROSS)
 	assert_less(at_world(field, GrassMap.CHANNEL_DENSITY, Vector3(1.25, 0, 0)), 0.3)
 	assert_near(at_world(right, GrassMap.CHANNEL_DENSITY, Vector3(3.75, 0, 0)), 1.0, 0.0)
+	await stroke(ACROSS)
+	await wait_until(func() -> bool: return times_told("have the same map") > 0, "the editor says that it is shared")
+	await frames(10)
+	assert_eq(times_told("have the same map"), 1, "once for a selected field")
+
+
+## Returns how often the editor has shown a message with this in it, which it counts behind the message.
+func times_told(part: String) -> int:
+	for label: Label in EditorInterface.get_editor_toaster().find_children("*", "Label", true, false):
+		if label.text.contains(part):
+			var count: Label = label.get_parent().get_child(label.get_index() + 1)
+			return maxi(1, count.text.to_int())
+	return 0
 
 
 func test_species_are_found_by_what_they_are() -> void:
@@ -166,3 +180,31 @@ func test_a_neighbour_may_go_while_it_is_painted() -> void:
 	assert_true(field.map == null)
 	await redo()
 	assert_less(density(1.25, 0), 0.3)
+
+
+func test_a_neighbour_that_goes_with_its_new_map_leaves_no_step() -> void:
+	await take("Erase")
+	var before_it := count_steps()
+	await move(at(BESIDE))
+	await button(MOUSE_BUTTON_LEFT, true, at(BESIDE))
+	assert_true(right.map != null and field.map == null)
+	right.free()
+	await button(MOUSE_BUTTON_LEFT, false, at(BESIDE))
+	assert_false(plugin.get_statistics().active)
+	assert_eq(count_steps(), before_it)
+
+
+func test_the_scene_keeps_the_step_though_the_chosen_field_has_gone() -> void:
+	const FILE := "res://tests/editor/right.grassmap"
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	ResourceSaver.save(map, FILE)
+	right.map = load(FILE)
+	await take("Erase")
+	var before_it := count_steps()
+	await move(at(BESIDE))
+	await button(MOUSE_BUTTON_LEFT, true, at(BESIDE))
+	field.free()
+	await button(MOUSE_BUTTON_LEFT, false, at(BESIDE))
+	assert_less(at_world(right, GrassMap.CHANNEL_DENSITY, BESIDE), 0.6)
+	assert_eq(count_steps(), before_it + 1)

@@ -25,7 +25,11 @@ func test_the_answer_follows_the_cursor() -> void:
 	await button(MOUSE_BUTTON_LEFT, true, at(Vector3(0, 0, -3)))
 	await button(MOUSE_BUTTON_LEFT, false, at(Vector3(0, 0, -3)))
 	assert_eq(field.map.data, map, "a click paints nothing")
-	assert_true(toolbar.is_visible_in_tree(), "and selects nothing")
+	var body: Node3D = EditorInterface.get_edited_scene_root().get_node("Csg")
+	for pressed: bool in [true, false]:
+		await button(MOUSE_BUTTON_LEFT, pressed, at(body.position))
+	await frames(3)
+	assert_eq(EditorInterface.get_selection().get_selected_nodes(), [field], "and selects nothing")
 	await key(KEY_ESCAPE)
 	assert_eq(answer(), "")
 	assert_false((toolbar.get_node("Why") as Button).button_pressed)

@@ -71,6 +71,23 @@ func test_a_live_rule_keeps_away_from_a_clearing_that_is_moved() -> void:
 	assert_near(density(6, 6), 0.0, 0.02)
 
 
+func test_what_a_live_rule_has_filled_is_saved_once_it_is_no_longer_live() -> void:
+	const FILE := "res://tests/editor/filled.grassmap"
+	var empty := GrassMap.new()
+	empty.base_density = 1.0
+	ResourceSaver.save(empty, FILE)
+	field.map = load(FILE)
+	await give_rule()
+	field.fill_live = true
+	await filled()
+	EditorInterface.save_scene()
+	field.fill_live = false
+	EditorInterface.save_scene()
+	var saved: GrassMap = ResourceLoader.load(FILE, "", ResourceLoader.CACHE_MODE_IGNORE)
+	assert_near(cover(), 0.5, 0.1)
+	assert_eq(saved.data, field.map.data)
+
+
 ## A rule that leaves half of the ground bare, filled by hand.
 func give_rule() -> void:
 	var rule := GrassFillRule.new()

@@ -172,6 +172,18 @@ func test_whatever_changes_the_map_asks_first() -> void:
 		EditorInterface.save_scene()
 
 
+func test_what_was_refused_is_not_done_after_another_question() -> void:
+	await open_prefab()
+	menu(Menu.BARE)
+	await frames(2)
+	assert_true(dialog.visible)
+	dialog.hide()
+	await take("Erase")
+	await stroke(ERASED)
+	await press("Make Unique")
+	assert_near(sample(field), 1.0, 0.01)
+
+
 func fill_now() -> void:
 	field.fill_live = false
 	field.fill_rule = GrassFillRule.new()

@@ -159,12 +159,14 @@ func test_each_plot_has_a_picture() -> void:
 	assert_eq([left.map.data, right.map.data], painted, "the same")
 	var image := Image.load_from_file("user://world_density_-1_0.exr")
 	assert_eq(image.get_size(), Vector2i(128, 128))
-	image.fill(Color.WHITE * 0.4)
-	image.save_exr("user://world_density_-1_0.exr")
+	for plot: Array in [["-1_0", 0.4], ["0_0", 0.7]]:
+		image.fill(Color.WHITE * plot[1])
+		image.save_exr("user://world_density_%s.exr" % plot[0])
 	answer.call(6)
 	await frames(2)
 	assert_near(density_there(Vector3(-20, 0, -20)), 0.4, 0.003)
 	assert_near(right.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-32.25, 0)), 0.4, 0.003, "the edge that its neighbour shows")
+	assert_near(left.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(32.25, 0)), 0.7, 0.003, "and the other way round")
 	await undo()
 	assert_eq([left.map.data, right.map.data], painted, "undone in one step")
 	for file in DirAccess.get_files_at("user://"):

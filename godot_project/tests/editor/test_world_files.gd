@@ -32,6 +32,18 @@ func test_painted_plots_are_written_with_a_scene_that_gets_another_name() -> voi
 	assert_eq(world.get_statistics().changed, 0)
 
 
+func test_the_editor_learns_of_files_that_are_new() -> void:
+	const IN_PROJECT := "res://tests/editor/plots"
+	world.folder = IN_PROJECT
+	await loaded()
+	await erase_across()
+	EditorInterface.save_scene()
+	var known := EditorInterface.get_resource_filesystem()
+	await wait_until(func() -> bool: return known.get_file_type(IN_PROJECT.path_join("plot_0_0.grassmap")) != "", "it is known")
+	for file in files(IN_PROJECT):
+		DirAccess.remove_absolute(IN_PROJECT.path_join(file))
+
+
 func test_a_plot_that_leaves_keeps_its_edits_until_the_scene_is_saved() -> void:
 	await erase_across()
 	await go_away()

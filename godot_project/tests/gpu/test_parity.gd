@@ -171,11 +171,11 @@ func test_the_same_tiles_are_awake_in_every_tick() -> void:
 		most = maxi(most, awake.size())
 		if not assert_eq(awake_tiles(gpu), awake, "tick %d" % i):
 			return
-		if not assert_eq(gpu.get_counters().slept, cpu.get_counters().slept, "tick %d" % i):
+		if not assert_eq(gpu.get_counters().woken, cpu.get_counters().woken, "tick %d" % i):
 			return
 	assert_greater(most, 5)
 	assert_eq(awake_tiles(gpu).size(), 0, "at the end all sleep")
-	assert_greater(gpu.get_counters().slept, 15)
+	assert_greater(gpu.get_counters().woken, 15)
 
 
 func test_settled_on_the_gpu_too() -> void:
@@ -216,7 +216,7 @@ func test_asleep_by_energy_on_the_gpu_too() -> void:
 	print("    asleep by energy: CPU after %d ticks, GPU after %d" % [ends[cpu], ends[gpu]])
 	assert_true(ends[gpu] >= ends[cpu], "not before")
 	assert_less(ends[gpu] - ends[cpu], 60, "ticks later")
-	assert_eq(gpu.get_counters().slept, cpu.get_counters().slept)
+	assert_eq(gpu.get_counters().woken, cpu.get_counters().woken)
 
 
 func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:

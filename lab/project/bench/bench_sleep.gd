@@ -30,10 +30,10 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 		add_child(body)
 	for tick in roundi(SECONDS * Engine.physics_ticks_per_second):
 		await get_tree().physics_frame
-	var rows: Array[PackedStringArray] = [["asleep", "tile_steps", "blade_steps", "woken", "slept", "awake_at_end"]]
+	var rows: Array[PackedStringArray] = [["asleep", "tile_steps", "blade_steps", "woken", "awake_at_end"]]
 	for i in fields.size():
 		var now := fields[i].get_statistics().merged(fields[i].get_counters())
-		rows.append([MODES.keys()[i], str(now.tile_steps), str(now.simulated_blades), str(now.woken), str(now.slept), str(now.awake_tiles)])
+		rows.append([MODES.keys()[i], str(now.tile_steps), str(now.simulated_blades), str(now.woken), str(now.awake_tiles)])
 	get_viewport().disable_3d = false
 	return rows
 
