@@ -10,7 +10,8 @@ from tools.pages.tables import grid
 PEAKS = {"H100": (33.45e12, 66.9e12, 3.35e12), "H200": (33.45e12, 66.9e12, 4.8e12)}
 SCENES = {"0": "free", "4": "balls"}
 TITLES = {
-	"free": "nothing near",
+	"free": "nothing near any more",
+	"strains": "nothing near for some time: by strains",
 	"balls": "4 balls in each tile",
 	"lid": "below a lid",
 	"bodies": "bodies at rest",
@@ -51,6 +52,8 @@ def simulation(tables):
 			least, bound = floor(row, blades, peaks) if peaks else (None, "")
 			floors = [f"{least:.3f} ({bound})", f"{time / least:.1f}"] if peaks else ["–", "–"]
 			body.append([f"METHOD_{row['method']}", TITLES[row["scene"]], number(blades), f"{time:.3f}", *floors])
+	for row in reversed(pick(rows, **{"pass": "strains"})):
+		body.append([f"METHOD_{row['method']}", TITLES["strains"], number(int(row["awake_blades"])), f"{float(row['gpu_ms']):.3f}", "–", "–"])
 	lines += grid(["method", "scene", "blades", "ms", "floor, ms", "times the floor"], body)
 	lines += tables.source("kernel", "flops")
 	body = []
