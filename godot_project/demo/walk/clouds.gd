@@ -3,7 +3,8 @@
 ## it to the sky.
 extends RefCounted
 
-const SIZE := Vector2i(1024, 256)  # texels: all around, from the zenith to the horizon and, cloudless, to the nadir
+# Texels: all around, from the zenith to the horizon and, cloudless, to the nadir. They are square, or clouds look combed.
+const SIZE := Vector2i(1024, 512)
 const LIGHT := Color(0.95, 0.93, 0.9)
 const WINDS := Vector2(0.5, 1.5)  # they draw clouds out along one way
 const THINNEST := 0.02  # height of the clouds' far edge in the sky, 0 at the horizon to 1 at the zenith
@@ -22,8 +23,8 @@ static func _draw() -> Image:
 	noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
 	noise.seed = 3
 	noise.frequency = 0.3
-	noise.fractal_octaves = 6
-	noise.fractal_gain = 0.55
+	noise.fractal_octaves = 5
+	noise.fractal_gain = 0.5
 	noise.domain_warp_enabled = true
 	noise.domain_warp_type = FastNoiseLite.DOMAIN_WARP_SIMPLEX
 	noise.domain_warp_amplitude = 1.6
