@@ -53,7 +53,9 @@ def simulation(tables):
 			floors = [f"{least:.3f} ({bound})", f"{time / least:.1f}"] if peaks else ["–", "–"]
 			body.append([f"METHOD_{row['method']}", TITLES[row["scene"]], number(blades), f"{time:.3f}", *floors])
 	for row in reversed(pick(rows, **{"pass": "strains"})):
-		body.append([f"METHOD_{row['method']}", TITLES["strains"], number(int(row["awake_blades"])), f"{float(row['gpu_ms']):.3f}", "–", "–"])
+		body.append(
+			[f"METHOD_{row['method']}", TITLES["strains"], number(int(row["awake_blades"])), f"{float(row['gpu_ms']):.3f}", "–", "–"]
+		)
 	lines += grid(["method", "scene", "blades", "ms", "floor, ms", "times the floor"], body)
 	lines += tables.source("kernel", "flops")
 	body = []
