@@ -6,6 +6,7 @@ lab/tools/new_set.py writes it. The layer `lab` fails if the page is not what th
 
 from lab.tools import summary
 from lab.tools.bench_sections import SECTIONS
+from tools.pages.tables import wrapped
 
 
 def measured(tables):
@@ -30,4 +31,4 @@ def page(tables):
 	for section, parts in SECTIONS:
 		if all(tables.has(part) and not tables.parts[part].get("quick") for part in parts):
 			lines += section(tables)
-	return "\n".join(lines).rstrip() + "\n"
+	return wrapped("\n".join(lines).rstrip() + "\n")

@@ -2,7 +2,7 @@
 """lab/results/paper.md: measurements beside the paper's numbers, a section for each part. lab/tools/new_set.py writes it."""
 
 from lab.tools.paper_rows import KINDS, NAMES, ms, pick, xy
-from tools.pages.tables import grid
+from tools.pages.tables import grid, wrapped
 
 # Fan et al. 2015, section 6, on a Radeon HD 7970. Of table 1 our copy of the text holds four numbers a row; by their ratios and
 # by "28 ms with more than 30 M triangles" they are frames a second of 2K and 4K tiles, each without and with LOD.
@@ -43,7 +43,7 @@ def page(tables):
 		lines += section(rows) if rows else []
 		lines += [f"Failed: {'; '.join(', '.join(filter(None, row.values())) for row in failed)}.", ""] if failed else []
 		lines += tables.source(name)
-	return "\n".join(lines)
+	return wrapped("\n".join(lines))
 
 
 def table1(rows):

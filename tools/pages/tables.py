@@ -2,6 +2,20 @@
 """Tables of pages that are made from data."""
 
 import re
+import textwrap
+
+
+WIDTH = 100  # of prose, characters
+
+
+def wrapped(text):
+	"""Returns a page whose prose is no wider than that of pages written by hand. Tables and headings stay as they are."""
+	made = []
+	for line in text.split("\n"):
+		is_whole = len(line) <= WIDTH or line[0] in "|#<"
+		indent = "  " if line.startswith("- ") else ""
+		made += [line] if is_whole else textwrap.wrap(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+	return "\n".join(made)
 
 
 def grid(head, rows):
