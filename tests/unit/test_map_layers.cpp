@@ -87,6 +87,7 @@ TEST_CASE("map_layers: what is read around one place is what the layers say ther
 		CHECK(here.cut == there.cut);
 		CHECK(here.lean == there.lean);
 		CHECK(here.tilt == there.tilt);
+		CHECK(here.slope == there.slope);
 		CHECK(here.ground == there.ground);
 	}
 	around.read(map, field, { 1e9f, 0.0f });

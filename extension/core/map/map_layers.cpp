@@ -272,6 +272,7 @@ Growth MapLayers::read_texels(const Eigen::Vector2f &p_place) const {
 		look_beside_ledge(texels, { in_chunk.x(), in_chunk.y() }, { offset.x(), offset.y() }, here, normal);
 	}
 	here.tilt = glsl::grass_ground_tilt(normal, _place.follow);
+	here.slope = normal;
 	return here;
 }
 

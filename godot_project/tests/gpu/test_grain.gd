@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Far grass has no grain: when the camera moves by parts of a pixel, pixels change hardly more than in a picture with 16 samples a pixel.
+## Far grass has no grain: when the camera moves by parts of a pixel, pixels change hardly more than in a picture with 16 samples a pixel,
+## and a pixel differs from the one beside it hardly more than there.
 extends "res://tests/light_case.gd"
 
 const SMALL := Vector2i(160, 90)
@@ -57,3 +58,50 @@ func test_far_grass_has_no_grain() -> void:
 		print("    as light as %.2f of it" % [plain.y / sampled.y])
 		assert_less(plain.x, 1.25 * sampled.x, view)
 		assert_near(plain.y / sampled.y, 1.0, 0.05, view)
+
+
+## Variance of a pixel from the one beside it, as a share of the squared mean; and the mean. finer: as above.
+func roughness(finer: int) -> Vector2:
+	viewport.size = SMALL * finer
+	viewport.msaa_3d = Viewport.MSAA_DISABLED if finer > 1 else Viewport.MSAA_4X
+	var lights := lights_of(await picture(), finer)
+	var mean := 0.0
+	var variance := 0.0
+	for i in lights.size():
+		mean += lights[i] / lights.size()
+		if (i + 1) % SMALL.x > 0:
+			variance += 0.5 * (lights[i] - lights[i + 1]) ** 2 / lights.size()
+	return Vector2(variance / (mean * mean), mean)
+
+
+## A field whose ground rises evenly along -z, by `rise` metres a metre.
+func add_slope(rise: float) -> GrassField:
+	var heights := Image.create_empty(161, 161, false, Image.FORMAT_RF)
+	for z in 161:
+		for x in 161:
+			heights.set_pixel(x, z, Color(rise * (40.0 - 0.5 * z), 0, 0))
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	map.set_ground(heights, Rect2(-40.25, -40.25, 80.5, 80.5))
+	var field := add_even_field()
+	field.size = Vector2(80, 80)
+	field.map = map
+	return field
+
+
+## Blades have the colour of the ground between them, for an eye that sees both steeply.
+func test_a_slope_far_away_has_no_specks() -> void:
+	var field := add_slope(0.6)
+	await grown(field)
+	for light: String in ["side", "front"]:
+		set_light(light)
+		for distance: float in [60.0, 120.0]:
+			camera.fov = rad_to_deg(2.0 * atan(tan(deg_to_rad(30.0)) * SMALL.y / 1080.0))
+			look(Vector3(0, 3, distance), Vector3.ZERO)
+			var plain := await roughness(1)
+			var sampled := await roughness(4)
+			var words := "sun: %s, %d m" % [light, distance]
+			print("    %s: %.2f times as rough as 16 samples, %.3f of their light" % [
+				words, sqrt(plain.x / sampled.x), plain.y / sampled.y])
+			assert_less(sqrt(plain.x / sampled.x), 1.1, words)
+			assert_near(plain.y / sampled.y, 1.0, 0.06, words)
