@@ -71,6 +71,8 @@ func test_an_impostor_is_as_light_as_its_mesh() -> void:
 
 ## As presets are meant to be used, at the distances at which their meshes are drawn in so dense a stand.
 func test_a_patch_with_impostors_has_the_colour_of_one_with_meshes() -> void:
+	# Compatibility draws in eight bits, of which a fern's blue takes a few.
+	var blue := 0.12 if RenderingServer.get_current_rendering_method() == "gl_compatibility" else 0.08
 	for name: String in DENSITIES:
 		var species: GrassSpecies = load(PRESETS + name + ".tres").duplicate()
 		var list: Array[GrassSpecies] = [species]
@@ -83,7 +85,7 @@ func test_a_patch_with_impostors_has_the_colour_of_one_with_meshes() -> void:
 			var light := await compare(field, "a patch of %s at %.0f m" % [name, distance])
 			assert_near(light.r, 1.0, 0.05, name)
 			assert_near(light.g, 1.0, 0.05, name)
-			assert_near(light.b, 1.0, 0.08, name)
+			assert_near(light.b, 1.0, blue, name)
 		field.free()
 
 
