@@ -3,6 +3,7 @@
 ## it takes a picture of each, then ends; with `--only NAMES` only of these. `--size small` makes small fields: for software rendering.
 extends Node3D
 
+const Country := preload("res://demo/walk/country.gd")
 const Landscape := preload("res://demo/landscape.gd")
 const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
@@ -11,6 +12,8 @@ const WIND := 2.0  # m/s
 const PICTURE := Vector2i(640, 360)  # pixels
 const EYES := 1.7  # metres
 const SIDE := 24.0  # metres, of each field
+const BORDER := 3.0  # metres, in which a stand gets thinner and lower
+const SHARED := 2.0  # metres of that in which the landscape's grass grows too
 ## Blades a square metre, and the side of the field in metres where fields are small.
 const FIELDS := {
 	meadow = [600.0, 16.0],
@@ -46,7 +49,8 @@ func _ready() -> void:
 		add_child(field)
 	var landscape := Landscape.new()
 	add_child(landscape)
-	landscape.make(SIDE, SIDE, _is_small)
+	landscape.make(SIDE - 2.0 * SHARED, SIDE, _is_small)
+	landscape.country.fray(SIDE - 2.0 * SHARED)
 	landscape.set_wind(WIND)
 	Landscape.open_sky($World, $Sun)
 	_show(0)
@@ -61,7 +65,9 @@ static func make(name: String) -> GrassField:
 	var species: GrassSpecies = load(FOLDER + name + ".tres")
 	field.name = name.to_pascal_case()
 	field.density = FIELDS[name][0]
-	field.border_fade = 0.0  # the landscape begins there
+	field.border_fade = BORDER
+	field.border_waver = 1.0
+	field.soil_color = Country.SOIL
 	field.wind_speed = WIND
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
 	# Flowers grow among grass.
