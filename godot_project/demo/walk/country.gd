@@ -14,7 +14,7 @@ const SOIL := Color(0.24, 0.27, 0.12)
 const FAR_POOL := 256  # tiles, of each far field: enough for a jeep
 const TRACK := 24.0  # metres, radius of the track
 const RUTS := 1.0  # metres, width of each of its wheel ruts
-const FRAYS := 2.5  # spots without grass, for a metre of a frayed border
+const FRAYS := 4.0  # spots that are bare or low, for a metre of a frayed border
 const SHORE := 16.0  # metres, side of the squares of which each is in a lake or not
 ## Species of the middle, and their shares. The far fields have no plants with a mesh, which show nearby only.
 const SPECIES := {meadow = 0.62, hay_meadow = 0.28, daisy = 0.06, ox_eye_daisy = 0.006, fern = 0.003}
@@ -59,17 +59,23 @@ func wear(trail: Trail) -> void:
 		trail.wear(each.map, _area_of(each))
 
 
-## Frays the border of the grass around a square with the side `inner`, which would be a straight line.
+## Frays the border of the grass around a square with the side `inner`, which would be a straight line: spots are bare, and it slopes down.
 func fray(inner: float) -> void:
 	var random := RandomNumberGenerator.new()
-	var brush := GrassBrush.new()
-	brush.tool = GrassBrush.TOOL_ERASE
-	brush.strength = 1.0
-	brush.hardness = 0.4
+	var bare := GrassBrush.new()
+	bare.tool = GrassBrush.TOOL_ERASE
+	bare.strength = 1.0
+	bare.hardness = 0.4
+	var low := GrassBrush.new()
+	low.tool = GrassBrush.TOOL_HEIGHT
+	low.target = 0.3
+	low.strength = 0.3
+	low.hardness = 0.0
 	for i in roundi(FRAYS * 4.0 * inner):
 		var out := 0.5 * inner + absf(random.randfn(0.0, 0.6))
 		var place := Vector2(out, random.randf_range(-0.5, 0.5) * inner).rotated(0.5 * PI * (i % 4))
-		brush.radius = random.randf_range(0.2, 0.7)
+		var brush: GrassBrush = low if i % 8 < 4 else bare
+		brush.radius = random.randf_range(2.0, 4.0) if brush == low else random.randf_range(0.2, 0.7)
 		for each in fields:
 			var area := _area_of(each)
 			if area.grow(brush.radius).has_point(place):
