@@ -36,6 +36,8 @@ inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
 inline constexpr Tunable HUE_VARIATION{ "hue_variation", "", 0.0, 1.0, 0.01, 0.0 };
 // Width of the border in which a field gets thinner and lower. 0: it ends abruptly, for adjacent fields.
 inline constexpr Tunable BORDER_FADE{ "border_fade", "m", 0.0, 10.0, 0.1, 1.0 };
+// How ragged the border is. 0: it follows the field's sides, as in scenes that are older than this number.
+inline constexpr Tunable BORDER_WAVER{ "border_waver", "", 0.0, 1.0, 0.01, 0.0 };
 // How dark the ground between the densest blades is. Use less for sparse lawns.
 inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that leaves the other.

@@ -107,8 +107,15 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 	const double radius = 0.5 * (p_shape.get_max() - p_shape.get_min()).maxCoeff();
 	const double span = search_height(radius + border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
-	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place, p_level - span, p_level + span); };
-	const auto between = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); };
+	const Eigen::Vector2d half = 0.5 * to_eigen(field->get_parts().settings.get_size());
+	const MapRegion ground{ -half, half };
+	const auto continued = [&](const HeightAt &p_ray) -> HeightAt {
+		return [=](const Eigen::Vector2d &p_place) { return continued_ground(p_ray(p_place), p_ray, ground, p_place); };
+	};
+	const HeightAt height =
+			continued([&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place, p_level - span, p_level + span); });
+	const HeightAt between =
+			continued([&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); });
 	const LedgeSearch search{ between, field->get_parts().settings.get_param(PARAM_LEDGE_SLOPE) };
 	const bool is_first = is_all_ground_in(_map->get_map(), region);
 	const GroundGrid grid = is_first ? search_grid(rays, region, field->field_transform()) : _map->get_map().get_ground_grid();

@@ -270,8 +270,10 @@ bool GroundWatch::read_on(int64_t p_most) {
 		left.min().y() -= TEXEL;
 		left.max().y() += TEXEL;
 	}
+	const HeightAt ray = [&](const Eigen::Vector2d &p_place) { return rays.height_at_corner(p_place); };
+	const MapRegion ground = region_of(*field).grown(-TEXEL);
 	const auto height_at = [&](const Eigen::Vector2d &p_place) {
-		const double height = rays.height_at_corner(p_place);
+		const double height = continued_ground(ray(p_place), ray, ground, p_place);
 		const double before = std::isnan(height) && piece.before ? piece.before->sample(MAP_GROUND, 0, p_place) : 0.0;
 		const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
 		return comes_down ? 0.0 : height;
@@ -285,9 +287,9 @@ bool GroundWatch::read_on(int64_t p_most) {
 	const bool is_done = piece.reading->read(height_at, height_at, p_most);
 	_rays += piece.reading->get_sampled() - sampled;
 	if (is_done) {
-		const GroundReading ground = std::move(*piece.reading);
+		const GroundReading reading = std::move(*piece.reading);
 		_pieces.pop_front();
-		lay(field->get_map(), ground);
+		lay(field->get_map(), reading);
 	}
 	return is_done;
 }

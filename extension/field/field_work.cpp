@@ -226,14 +226,16 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const GroundGrid &p_
 	int64_t found = 0;
 	const MapRegion told = p_region.grown(GROUND_BORDER); // texels farther away are read for ledges alone, and do not count
 	map->change([&](PaintMap &r_map) {
-		const auto counted = [&](const Eigen::Vector2d &p_place) {
-			const double height = p_height(p_place);
-			const bool is_told = (p_place.array() >= told.min.array()).all() && (p_place.array() <= told.max.array()).all();
-			found += is_told && std::isfinite(height) ? 1 : 0;
-			return height;
+		const auto height = [&](const Eigen::Vector2d &p_place) {
+			const double here = p_height(p_place);
+			found += told.contains(p_place) && std::isfinite(here) ? 1 : 0;
+			return continued_ground(here, p_height, ground(), p_place);
+		};
+		const auto between = [&](const Eigen::Vector2d &p_place) {
+			return continued_ground(p_between(p_place), p_between, ground(), p_place);
 		};
 		r_map.set_ground_grid(p_grid);
-		return lay_ground(r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
+		return lay_ground(r_map, p_region, height, MissingGround::STAYS, nullptr, { between, _properties.param(PARAM_LEDGE_SLOPE) });
 	});
 	return found;
 }

@@ -67,7 +67,7 @@ bool PlantNodes::is_used(const StandingField &p_standing) const {
 std::span<const StandingScene> PlantNodes::choose(
 		StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker, const Scenes &p_scenes) {
 	PlantSearch::Params params;
-	params.border_fade = float(p_properties.param(PARAM_BORDER_FADE));
+	params.border = { float(p_properties.param(PARAM_BORDER_FADE)), float(p_properties.param(PARAM_BORDER_WAVER)) };
 	params.most = _host.node().is_visible_in_tree() && follow_scale() ? int(p_properties.param(PARAM_PLANT_NODES_MAX)) : 0;
 	bool has_any = false;
 	for (size_t s = 0; s < p_scenes.size(); s++) {

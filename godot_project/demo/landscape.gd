@@ -28,6 +28,8 @@ func make(p_middle: float, p_level: float, is_small: bool) -> void:
 	if p_middle < CLOSE and not is_small:
 		country.surround(p_middle, CLOSE, hills, Country.NEAR_DENSITY)
 	country.surround(p_middle if is_small else maxf(p_middle, CLOSE), SIDE[is_small], hills, Country.FAR_DENSITY)
+	if hills.water > -INF:
+		country.flood(hills.water, hills)
 	trees.make(hills, clampf(0.5 * p_middle, 45.0, 70.0), 460.0)
 	set_weather(0.0, 0.0)
 

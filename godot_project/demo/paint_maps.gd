@@ -5,6 +5,7 @@ extends SceneTree
 
 const PLACES: Array[String] = ["meadow", "lawn", "reeds"]
 const Lawn := preload("res://demo/lawn.gd")
+const Trail := preload("res://demo/trail.gd")
 
 var _map: GrassMap
 
@@ -41,11 +42,11 @@ func _paint_meadow(place: Node3D) -> void:
 	_draw(GrassBrush.TOOL_HEIGHT, [[-30, -30], [-10, -34], [10, -30], [30, -34]], {target = 0.55, radius = 9.0, hardness = 0.2})
 	_draw(GrassBrush.TOOL_COMB, [[-12, -6], [0, -10], [12, -12]], {radius = 5.0, hardness = 0.2, strength = 0.6})
 	_draw(GrassBrush.TOOL_SPECIES, [[-9, 16], [-4, 15], [2, 18]], {species = 3, radius = 1.0})
-	var path := (place.get_node("Path") as Path3D).curve.tessellate_even_length(5, 1.5)
-	_draw(GrassBrush.TOOL_SPECIES, path, {species = 1, radius = 3.0})
-	_draw(GrassBrush.TOOL_HEIGHT, path, {target = 0.5, radius = 2.4, hardness = 0.3})
-	_draw(GrassBrush.TOOL_FLATTEN, path, {radius = 1.5, hardness = 0.2, strength = 0.3})
-	_draw(GrassBrush.TOOL_ERASE, path, {radius = 0.9, hardness = 0.5, strength = 0.9})
+	var trail := Trail.new()
+	trail.points = Trail.points_of((place.get_node("Path") as Path3D).curve)
+	trail.species = 1
+	var size: Vector2 = place.get_node("Field").size
+	trail.wear(_map, Rect2(-0.5 * size, size))
 	_draw(
 		GrassBrush.TOOL_ERASE,
 		[[-40, -40], [40, -40], [40, -20], [-40, -20], [-40, 0], [40, 0], [40, 20], [-40, 20], [-40, 40], [40, 40]],

@@ -8,6 +8,8 @@ extends Node3D
 const Landscape := preload("res://demo/landscape.gd")
 const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
+const Trail := preload("res://demo/trail.gd")
+const PATH_BEYOND := 150.0  # metres that a path goes on in the landscape
 
 ## large or small; empty: the one in the arguments, by default large.
 @export var size := ""
@@ -28,6 +30,9 @@ func _ready() -> void:
 		landscape.hills.water = $Water.position.y
 	add_child(landscape)
 	landscape.surround(field, get_node_or_null(^"Terrain"), (size if size else options.size) == "small")
+	if has_node(^"Path"):
+		for trail: Trail in Trail.beyond(($Path as Path3D).curve, PATH_BEYOND):
+			landscape.country.wear(trail)
 	Landscape.open_sky($World, $Sun)
 	if options.out:
 		await record(options.out)

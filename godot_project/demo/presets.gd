@@ -3,6 +3,7 @@
 ## it takes a picture of each, then ends; with `--only NAMES` only of these. `--size small` makes small fields: for software rendering.
 extends Node3D
 
+const Country := preload("res://demo/walk/country.gd")
 const Landscape := preload("res://demo/landscape.gd")
 const Options := preload("res://demo/options.gd")
 const Shots := preload("res://demo/shots.gd")
@@ -11,6 +12,8 @@ const WIND := 2.0  # m/s
 const PICTURE := Vector2i(640, 360)  # pixels
 const EYES := 1.7  # metres
 const SIDE := 24.0  # metres, of each field
+const BORDER := 3.0  # metres, in which a stand gets thinner and lower, and in which the landscape's grass begins
+const TURN := 0.55  # radians by which one looks aside: a border that lies across the picture looks straight, however ragged it is
 ## Blades a square metre, and the side of the field in metres where fields are small.
 const FIELDS := {
 	meadow = [600.0, 16.0],
@@ -46,7 +49,8 @@ func _ready() -> void:
 		add_child(field)
 	var landscape := Landscape.new()
 	add_child(landscape)
-	landscape.make(SIDE, SIDE, _is_small)
+	landscape.make(SIDE - 2.0 * BORDER, SIDE, _is_small)
+	landscape.country.fray(SIDE - 2.0 * BORDER)
 	landscape.set_wind(WIND)
 	Landscape.open_sky($World, $Sun)
 	_show(0)
@@ -61,7 +65,9 @@ static func make(name: String) -> GrassField:
 	var species: GrassSpecies = load(FOLDER + name + ".tres")
 	field.name = name.to_pascal_case()
 	field.density = FIELDS[name][0]
-	field.border_fade = 0.0  # the landscape begins there
+	field.border_fade = BORDER
+	field.border_waver = 1.0
+	field.soil_color = Country.SOIL
 	field.wind_speed = WIND
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
 	# Flowers grow among grass.
@@ -89,7 +95,7 @@ func _show(index: int) -> void:
 	var height := species.patch.length_max
 	var edge := 0.5 * _field(index).size.y
 	var eye := Vector3(0.0, 1.25 * height + 0.4, minf(edge - 0.5, 9.0))
-	var ahead := Vector3(0.0, -0.8 * height - 0.4, -1.5 - 2.2 * height)
+	var ahead := Vector3(0.0, -0.8 * height - 0.4, -1.5 - 2.2 * height).rotated(Vector3.UP, TURN)
 	if height > EYES:
 		eye = Vector3(0.0, EYES, edge + 1.2 * height)
 		ahead = Vector3(0.0, 0.35 * height - EYES, -1.8 * height)

@@ -150,6 +150,23 @@ TEST_CASE("ledges: smooth and rough ground has none, and the heights are asked a
 	CHECK_FALSE(map.uses(MAP_LEDGE));
 }
 
+TEST_CASE("ledges: a terrain that ends with its field has none at its border, where grass stands on it as elsewhere") {
+	constexpr double HALF = 8.0;
+	const MapRegion field{ { -HALF, -HALF }, { HALF, HALF } };
+	const HeightAt terrain = [&](const Eigen::Vector2d &p_at) {
+		return field.contains(p_at) ? 0.4 * p_at.x() + 0.3 * std::sin(0.5 * p_at.y()) : NO_GROUND;
+	};
+	const HeightAt floor = [&](const Eigen::Vector2d &p_at) { return p_at.x() < 5.0 ? terrain(p_at) : NO_GROUND; }; // ends within it
+	for (const HeightAt &ground : { terrain, floor }) {
+		const HeightAt continued = [&](const Eigen::Vector2d &p_at) { return continued_ground(ground(p_at), ground, field, p_at); };
+		PaintMap map;
+		lay(map, HALF, continued);
+		CHECK(map.uses(MAP_LEDGE) == std::isnan(ground({ 6.0, 0.0 })));
+		const Count count = count_off(map, ground, HALF);
+		CHECK(count.off < count.blades / 1000);
+	}
+}
+
 TEST_CASE("ledges: one that goes leaves nothing behind, and laying twice changes nothing") {
 	const std::vector<Block> blocks{ { { 0.3, 0.2 }, { 2.0, 1.6 }, 0.5, 1.0 } };
 	const HeightAt with = [&](const Eigen::Vector2d &p_at) { return highest(blocks, p_at, 0.0); };

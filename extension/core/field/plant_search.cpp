@@ -218,7 +218,7 @@ void PlantSearch::read(const Field &p_field, int p_x, int p_z, Plants &r_plants)
 			continue;
 		}
 		const FieldBlades::Pose pose = blades.get_pose(p_x, p_z, blade);
-		const FieldBlades::Standing standing = blades.get_standing(pose, p_x, p_z, blade, _params.border_fade);
+		const FieldBlades::Standing standing = blades.get_standing(pose, p_x, p_z, blade, _params.border);
 		if (!(standing.left >= STANDS)) {
 			continue; // maybe another stem does
 		}

@@ -43,7 +43,7 @@ public:
 	struct Params {
 		std::array<float, GRASS_MAX_SPECIES> distance{}; // metres; 0: plants of the species get no node
 		int most = 0; // plants that are chosen at once
-		float border_fade = 0.0f; // metres
+		FieldBlades::Border border;
 		bool operator==(const Params &) const = default;
 	};
 

@@ -148,6 +148,16 @@ private:
 
 } // namespace
 
+double continued_ground(double p_here, const HeightAt &p_height, const MapRegion &p_field, const Eigen::Vector2d &p_place) {
+	constexpr double WITHIN = 1e-3; // metres: rays miss the very edge of a terrain
+	const MapRegion inside = p_field.grown(-WITHIN);
+	if (std::isfinite(p_here) || inside.contains(p_place)) {
+		return p_here;
+	}
+	const Eigen::Vector2d border = p_place.cwiseMax(inside.min).cwiseMin(inside.max);
+	return 2.0 * p_height(border) - p_height(2.0 * border - p_place);
+}
+
 bool is_all_ground_in(const PaintMap &p_map, const MapRegion &p_region) {
 	const MapRegion region = p_region.grown(1e-6);
 	const Eigen::Array2d offset = p_map.get_ground_grid().offset();

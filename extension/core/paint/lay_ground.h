@@ -18,6 +18,10 @@ struct LaidGround : BrushResult { // amount: 0
 	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 
+// Returns the height of the ground at a place, which outside of p_field goes on in a straight line where there is none: a terrain that ends
+// with its field has no ledge there, for which the whole field would pay. p_here: what p_height returns for the place.
+double continued_ground(double p_here, const HeightAt &p_height, const MapRegion &p_field, const Eigen::Vector2d &p_place);
+
 // Returns whether the map has no ground outside of p_region: then ground that is laid there may have its own grid.
 bool is_all_ground_in(const PaintMap &p_map, const MapRegion &p_region);
 

@@ -56,12 +56,13 @@ bool FieldBlades::stands(int p_tile_x, int p_tile_z, int p_blade) const {
 }
 
 // Equals begin_point() in shaders/draw/pose.gdshaderinc for a plant.
-FieldBlades::Standing FieldBlades::get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, float p_border_fade) const {
+FieldBlades::Standing FieldBlades::get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, const Border &p_border) const {
 	Standing standing;
 	const Eigen::Vector2f tiles(float(_grid.get_tiles_x()), float(_grid.get_tiles_z()));
 	const float tile_size = float(_grid.get_tile_size());
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), p_pose.root, tiles, tile_size);
-	const float border = glsl::grass_border(to_glsl(place), to_glsl(Eigen::Vector2f(tiles * tile_size)), p_border_fade);
+	const glsl::vec2 size = to_glsl(Eigen::Vector2f(tiles * tile_size));
+	const float border = glsl::grass_border(to_glsl(place), size, p_border.fade, p_border.waver);
 	const float density = p_pose.density * border;
 	float presence = _patch->texels[Patch::texel_index(p_pose.blade, 0) + 3] != 0 ? 1.0f : 0.0f;
 	if (density < 1.0f) {

@@ -46,8 +46,14 @@ public:
 		float length = 0.0f; // metres, as far as it has grown out of the ground, and before it is mown
 		float left = 0.0f; // share of the whole blade that has grown and was not mown, 0..1
 	};
-	// p_pose: of that blade. p_border_fade: as in grass_border(), metres.
-	Standing get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, float p_border_fade) const;
+	// How the field ends: see grass_border().
+	struct Border {
+		float fade = 0.0f; // metres
+		float waver = 0.0f;
+		bool operator==(const Border &) const = default;
+	};
+	// p_pose: of that blade.
+	Standing get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, const Border &p_border) const;
 	// Appends the blades of a tile whose species is in the bit mask p_species.
 	void find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const;
 	// Returns all blades of an awake tile, as the simulation reads them.

@@ -4,6 +4,7 @@
 extends Node3D
 
 const Hills := preload("res://demo/walk/hills.gd")
+const Trail := preload("res://demo/trail.gd")
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
 const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
 const NEAR_DENSITY := 256.0  # blades a square metre
@@ -12,6 +13,9 @@ const FAR_WIDTH := 2.8  # times as wide
 const SOIL := Color(0.24, 0.27, 0.12)
 const FAR_POOL := 256  # tiles, of each far field: enough for a jeep
 const TRACK := 24.0  # metres, radius of the track
+const RUTS := 1.0  # metres, width of each of its wheel ruts
+const FRAYS := 4.0  # spots that are bare or low, for a metre of a frayed border
+const SHORE := 16.0  # metres, side of the squares of which each is in a lake or not
 ## Species of the middle, and their shares. The far fields have no plants with a mesh, which show nearby only.
 const SPECIES := {meadow = 0.62, hay_meadow = 0.28, daisy = 0.06, ox_eye_daisy = 0.006, fern = 0.003}
 const WITH_MESH: Array[String] = ["ox_eye_daisy", "fern"]
@@ -31,7 +35,7 @@ func make(near: float, hills: Hills, density := NEAR_DENSITY) -> void:
 	field.measure_time = true
 	field.bake_ground_from(hills.shape, hills.global_transform)
 	surround(near, hills.side, hills, minf(density, FAR_DENSITY))
-	_paint_track(hills)
+	_paint_track()
 
 
 ## Adds four fields around a square with the side `inner`, up to one with the side `outer`.
@@ -47,6 +51,53 @@ func surround(inner: float, outer: float, hills: Hills, density: float) -> void:
 		Rect2(0.5 * inner, -0.5 * inner, rim, inner)
 	]:
 		_add("Far%d" % fields.size(), rect, density, density == NEAR_DENSITY).bake_ground_from(hills.shape, hills.global_transform)
+
+
+## Wears a path into all fields that it leads through.
+func wear(trail: Trail) -> void:
+	for each in fields:
+		trail.wear(each.map, _area_of(each))
+
+
+## Frays the border of the grass around a square with the side `inner`, which would be a straight line: spots are bare, and it slopes down.
+func fray(inner: float) -> void:
+	var random := RandomNumberGenerator.new()
+	var bare := GrassBrush.new()
+	bare.tool = GrassBrush.TOOL_ERASE
+	bare.strength = 1.0
+	bare.hardness = 0.4
+	var low := GrassBrush.new()
+	low.tool = GrassBrush.TOOL_HEIGHT
+	low.target = 0.3
+	low.strength = 0.3
+	low.hardness = 0.0
+	for i in roundi(FRAYS * 4.0 * inner):
+		var out := 0.5 * inner + absf(random.randfn(0.0, 0.6))
+		var place := Vector2(out, random.randf_range(-0.5, 0.5) * inner).rotated(0.5 * PI * (i % 4))
+		var brush: GrassBrush = low if i % 8 < 4 else bare
+		brush.radius = random.randf_range(2.0, 4.0) if brush == low else random.randf_range(0.2, 0.7)
+		for each in fields:
+			var area := _area_of(each)
+			if area.grow(brush.radius).has_point(place):
+				each.map.stroke(brush, place - area.get_center(), place - area.get_center())
+
+
+## Lets no grass grow where the ground is lower than a lake's surface.
+func flood(level: float, hills: Hills) -> void:
+	var brush := GrassBrush.new()
+	brush.tool = GrassBrush.TOOL_ERASE
+	brush.strength = 1.0
+	brush.hardness = 1.0
+	brush.radius = 0.75 * SHORE  # the strokes of squares beside each other overlap
+	brush.height_max = level
+	for each in fields:
+		var area := _area_of(each)
+		for z in range(0, ceili(area.size.y), int(SHORE)):
+			for x in range(0, ceili(area.size.x), int(SHORE)):
+				var square := Rect2(area.position + Vector2(x, z), Vector2.ONE * SHORE)
+				if hills.lowest_in(square) < level:
+					var middle := square.get_center() - area.get_center()
+					each.map.stroke(brush, middle, middle)
 
 
 ## Returns the field at a place; null outside of all of them.
@@ -111,28 +162,33 @@ func _widened(narrow: Array[GrassSpecies]) -> Array[GrassSpecies]:
 	return wide
 
 
+func _area_of(of: GrassField) -> Rect2:
+	return Rect2(Vector2(of.position.x, of.position.z) - 0.5 * of.size, of.size)
+
+
 ## A dirt track around the place where the walk begins: bare in its wheel ruts, low beside them.
-func _paint_track(hills: Hills) -> void:
+func _paint_track() -> void:
 	var verge := GrassBrush.new()
 	verge.tool = GrassBrush.TOOL_HEIGHT
 	verge.target = 0.45
 	verge.strength = 1.0
 	verge.radius = 2.6
 	verge.hardness = 0.3
-	_draw_round(verge, TRACK, hills)
-	var rut := GrassBrush.new()
-	rut.tool = GrassBrush.TOOL_ERASE
-	rut.strength = 0.9
-	rut.radius = 0.5
+	var middle := _round(TRACK)
+	for i in range(1, middle.size()):
+		field.map.stroke(verge, middle[i - 1], middle[i])
 	for off: float in [-0.85, 0.85]:
-		_draw_round(rut, TRACK + off, hills)
+		var rut := Trail.new()
+		rut.width = RUTS
+		rut.points = _round(TRACK + off)
+		rut.wear(field.map, _area_of(field))
 
 
-func _draw_round(brush: GrassBrush, radius: float, hills: Hills) -> void:
-	var from := Vector3(radius, 0.0, 0.0)
-	for i in range(1, 65):
-		var angle := TAU * i / 64.0
-		var wobble := radius * (1.0 + 0.12 * sin(3.0 * angle))
-		var to := Vector3(wobble * cos(angle), 0.0, wobble * sin(angle))
-		field.paint(brush, hills.on_ground(from), hills.on_ground(to))
-		from = to
+## Points of the track, as far apart as those of a path.
+func _round(radius: float) -> PackedVector2Array:
+	var points := PackedVector2Array()
+	var count := int(TAU * radius / Trail.STEP)
+	for i in count + 1:
+		var angle := TAU * i / count
+		points.append(Vector2.from_angle(angle) * radius * (1.0 + 0.12 * sin(3.0 * angle)))
+	return points

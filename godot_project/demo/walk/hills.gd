@@ -75,6 +75,15 @@ func height_at(place: Vector3) -> float:
 	return lerpf(near, lerpf(heights[first + width], heights[first + width + 1], part.x), part.y)
 
 
+## Returns the least height at the corners and in the middle of a rectangle, metres.
+func lowest_in(area: Rect2) -> float:
+	var least := INF
+	for share: Vector2 in [Vector2.ZERO, Vector2.RIGHT, Vector2.DOWN, Vector2.ONE, 0.5 * Vector2.ONE]:
+		var at := area.position + share * area.size
+		least = minf(least, height_at(Vector3(at.x, 0.0, at.y)))
+	return least
+
+
 ## Height above the node at a place on the hills as far as they are drawn, metres.
 func ground_at(place: Vector2) -> float:
 	return _rise(place)

@@ -28,6 +28,8 @@ func record(folder: String) -> void:
 func _on_foot() -> void:
 	_walk.panel.visible = true
 	await _hold(["walk_forward"], 0.6)
+	await _shots.picture()  # between pictures nothing is drawn, and the panel would say so
+	_walk.tell(INF)
 	await _take("1_morning")
 	_walk.panel.visible = false
 	await _hold(["walk_forward", "walk_sprint"], 0.9)

@@ -88,6 +88,11 @@ func _physics_process(delta: float) -> void:
 	for lamp: SpotLight3D in jeep.lamps:
 		lamp.visible = driving and day.is_dark() != lamp_flipped
 	eye.follow(walker.get_head(), delta)
+	tell(delta)
+
+
+## Updates the panel, in case its text is older than it may be. delta: seconds since the last call.
+func tell(delta: float) -> void:
 	panel.tell(delta, country.field, day.hour, weather.kind, _hint())
 
 

@@ -63,6 +63,37 @@ func test_a_field_fades_at_its_border() -> void:
 	assert_greater(widths[2], 1.5 * widths[1])
 
 
+## Returns how much farther out grass ends in one place than in another, metres.
+func spread_of_border(image: Image, pixel: float) -> float:
+	const ROWS := 6
+	var least := INF
+	var most := 0.0
+	for y in range(0, image.get_height() - ROWS, ROWS):
+		var means := columns(image.get_region(Rect2i(0, y, image.get_width(), ROWS)))
+		var end := means.size() - 1
+		while end > 0 and means[end] > 0.5 * (means[0] + means[-1]):
+			end -= 1
+		least = minf(least, end)
+		most = maxf(most, end)
+	return (most - least) * pixel
+
+
+func test_a_border_wavers() -> void:
+	const WIDE := 4.0  # times as much as the other pictures show
+	var field := add_seen_field({size = Vector2(32, 32), clump_tint = 0.0, clump_lean = 0.0, border_fade = 2.0})
+	camera.size *= WIDE
+	look(Vector3(13, 5, 0), Vector3(13, 0, 0))
+	var spreads := PackedFloat32Array()
+	for waver: float in [0.0, 1.0]:
+		field.border_waver = waver
+		var image := await picture()
+		save(image, "waver_%d" % waver)
+		spreads.append(spread_of_border(image, WIDE * PIXEL))
+	print("    grass ends within %s m" % spreads)
+	assert_less(spreads[0], 0.7)
+	assert_greater(spreads[1], spreads[0] + 0.5)
+
+
 ## Blades hide most of the soil, so here are hardly any.
 func test_the_soil_has_a_soft_edge() -> void:
 	var map := GrassMap.new()

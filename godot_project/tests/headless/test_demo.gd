@@ -2,6 +2,7 @@
 ## The demo's places open, and what happens in them bends, cuts and tramples grass.
 extends "res://tests/case.gd"
 
+const Trail := preload("res://demo/trail.gd")
 const Demo := "res://demo/%s.tscn"
 
 var place: Node3D
@@ -73,12 +74,44 @@ func test_meadow() -> void:
 		var at := stroll.sample_baked(0.1 * i)
 		trodden = maxf(trodden, field.map.sample(GrassMap.CHANNEL_WEAR, Vector2(at.x, at.z)))
 	assert_greater(trodden, 0.02, "footprints")
-	assert_near(field.get_density_at(Vector3(-16, 0, 14)), 0.0, 0.2, "the path")
+	assert_less(field.get_density_at(Vector3(-16, 0, 14)), 0.5, "the path")
 	assert_greater(field.get_density_at(Vector3(-16, 0, 20)), 0.9)
 	for x in range(-40, 41, 10):  # roots stand on the terrain
 		for z in range(-40, 41, 10):
 			var ground: float = place.get_node("Terrain").height_at(x, z)
 			assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)), ground, 0.1)
+
+
+func grass_at(at: Vector3) -> GrassField:
+	return field if field.get_tile_at(at) != Vector2i(-1, -1) else place.landscape.country.field_at(at)
+
+
+## Returns how many metres of cuts across a path are bare, one cut for each five of its points.
+func widths_of(points: PackedVector2Array) -> PackedFloat32Array:
+	var widths := PackedFloat32Array()
+	for i in range(5, points.size() - 1, 5):
+		var across := (points[i + 1] - points[i]).orthogonal().normalized()
+		var bare := 0
+		for n in range(-25, 26):
+			var at := points[i] + 0.1 * n * across
+			var grass := grass_at(Vector3(at.x, 0.0, at.y))
+			bare += int(grass != null and grass.get_density_at(Vector3(at.x, 0.0, at.y)) < 0.3)
+		widths.append(0.1 * bare)
+	return widths
+
+
+func test_a_path_is_of_no_even_width_and_goes_on() -> void:
+	await open("meadow")
+	var curve: Curve3D = place.get_node("Path").curve
+	var widths := widths_of(Trail.points_of(curve))
+	widths.sort()
+	print("    %.1f to %.1f m wide, %.1f m in the middle" % [widths[0], widths[-1], widths[widths.size() / 2]])
+	assert_greater(widths[widths.size() / 10], 0.3, "it is a path")
+	assert_greater(widths[-widths.size() / 10], 1.5 * widths[widths.size() / 10])
+	for trail: Trail in Trail.beyond(curve, place.PATH_BEYOND):
+		var beyond := widths_of(trail.points)
+		assert_greater(beyond[0] + beyond[1] + beyond[2], 1.0, "it goes on beside the field")
+		assert_less(beyond[-1], 0.3, "and gets lost")
 
 
 func test_forces() -> void:
@@ -122,3 +155,14 @@ func test_reeds() -> void:
 	assert_greater(field.get_height_at(Vector3(10, 0, 4)), 1.0, "reeds")
 	assert_near(field.get_height_at(Vector3(10, 0, 20)), 0.4, 0.2, "the bank")
 	assert_eq(field.get_density_at(Vector3(0, 0, -20)), 0.0, "open water")
+	var found := {true: 0, false: 0}
+	for x in range(-90, 91, 4):
+		for z in range(-90, 91, 4):
+			var at := Vector3(x, 0, z)
+			var beside: GrassField = place.landscape.country.field_at(at)
+			var height: float = place.landscape.hills.height_at(at)
+			if beside and absf(height) > 0.15:
+				found[height > 0.0] += 1
+				assert_near(beside.get_density_at(at), 1.0 if height > 0.0 else 0.0, 0.1, "beside the field, at %s" % at)
+	assert_greater(found[true], 100)
+	assert_greater(found[false], 100, "the lake goes on beside the field")

@@ -112,3 +112,23 @@ func test_a_part_is_baked_as_the_rest_was() -> void:
 	field.map.restore_snapshot(before)
 	field.position.x = 0.0
 	assert_less(share_off(field), 0.001, "undone")
+
+
+## Ledges would make the soil a split sheet, and all shaders look for them.
+func test_a_terrain_that_ends_with_its_field_has_no_ledges() -> void:
+	add_body(StaticBody3D.new(), height_map(), Vector3.ZERO)
+	await ticks(2)
+	var field := add_field({size = Vector2(CELLS, CELLS)})
+	for bake: Callable in [field.bake_ground, field.bake_ground_from.bind(height_map(), Transform3D.IDENTITY)]:
+		field.map = GrassMap.new()
+		assert_greater(bake.call(), CELLS * CELLS)
+		var none := field.map.sample(GrassMap.CHANNEL_LEDGE, Vector2.ZERO)
+		var ledges := 0
+		for i in range(-8 * CELLS / 2 - 4, 8 * CELLS / 2 + 4):  # a ledge is kept in eighths of a metre
+			for side: float in [-0.5, 0.5]:
+				for beyond: float in [-0.3, 0.3]:
+					var out := side * CELLS + beyond
+					ledges += int(field.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(i / 8.0, out)) != none)
+					ledges += int(field.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(out, i / 8.0)) != none)
+		assert_eq(ledges, 0, "ledges, with %s" % bake)
+		assert_less(share_off(field), 0.001)
