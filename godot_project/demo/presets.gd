@@ -10,6 +10,7 @@ const FOLDER := "res://addons/grass_field/presets/"
 const WIND := 2.0  # m/s
 const PICTURE := Vector2i(640, 360)  # pixels
 const EYES := 1.7  # metres
+const MOSS := 0.2  # how much darker than roots the soil is, which moss and old blades cover
 const SIDE := 24.0  # metres, of each field
 ## Blades a square metre, and the side of the field in metres where fields are small.
 const FIELDS := {
@@ -64,6 +65,7 @@ static func make(name: String) -> GrassField:
 	field.border_fade = 0.0  # the landscape begins there
 	field.wind_speed = WIND
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
+	field.soil_color = species.root_color.darkened(MOSS)
 	# Flowers grow among grass.
 	field.species = [load(FOLDER + "meadow.tres"), species] if species.share < 0.3 else [species]
 	return field

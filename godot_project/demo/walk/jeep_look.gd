@@ -3,7 +3,7 @@
 extends RefCounted
 
 const Mould := preload("res://demo/walk/mould.gd")
-const GREEN := Color(0.3, 0.35, 0.21)
+const GREEN := Color(0.31, 0.335, 0.23)
 const CREAM := Color(0.78, 0.74, 0.62)
 const BLACK := Color(0.2, 0.2, 0.2)
 const RUBBER := Color(0.19, 0.19, 0.185)

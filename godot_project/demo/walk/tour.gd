@@ -28,6 +28,8 @@ func record(folder: String) -> void:
 func _on_foot() -> void:
 	_walk.panel.visible = true
 	await _hold(["walk_forward"], 0.6)
+	await _shots.picture()  # the panel tells what was drawn, and between pictures nothing is
+	_walk.panel.tell(1.0, _walk.country.field, _walk.day.hour, _walk.weather.kind, "")
 	await _take("1_morning")
 	_walk.panel.visible = false
 	await _hold(["walk_forward", "walk_sprint"], 0.9)
