@@ -7,7 +7,7 @@ const IN_GROVE := Vector2i(1, 11)  # trees, fewest and most
 const SPREAD := 18.0  # metres, from the middle of a grove
 const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
 const LEAVES: Array[Color] = [
-	Color(0.44, 0.53, 0.23), Color(0.51, 0.58, 0.27), Color(0.36, 0.49, 0.23), Color(0.46, 0.55, 0.33), Color(0.52, 0.54, 0.25)
+	Color(0.44, 0.53, 0.23), Color(0.51, 0.58, 0.27), Color(0.36, 0.49, 0.23), Color(0.46, 0.55, 0.33), Color(0.48, 0.54, 0.25)
 ]
 const BARK := Color(0.4, 0.35, 0.29)
 const KINDS := 3  # of trees, each with a shape of its own
