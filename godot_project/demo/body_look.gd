@@ -17,10 +17,10 @@ const STRIPES: Array[Color] = [
 ]
 const LEATHER := Color(0.76, 0.73, 0.66)
 const WOOD: Array[Color] = [
-	Color(0.5, 0.38, 0.25), Color(0.56, 0.45, 0.31), Color(0.44, 0.36, 0.27), Color(0.5, 0.47, 0.41), Color(0.4, 0.28, 0.18)
+	Color(0.58, 0.44, 0.29), Color(0.65, 0.52, 0.36), Color(0.51, 0.42, 0.31), Color(0.58, 0.55, 0.48), Color(0.46, 0.32, 0.21)
 ]
 const BARK: Array[Color] = [
-	Color(0.3, 0.25, 0.2), Color(0.36, 0.31, 0.26), Color(0.26, 0.21, 0.17), Color(0.42, 0.39, 0.35), Color(0.33, 0.25, 0.18)
+	Color(0.35, 0.29, 0.23), Color(0.42, 0.36, 0.30), Color(0.30, 0.24, 0.20), Color(0.49, 0.45, 0.41), Color(0.38, 0.29, 0.21)
 ]
 const HAY: Array[Color] = [
 	Color(0.66, 0.56, 0.3), Color(0.6, 0.54, 0.31), Color(0.7, 0.6, 0.36), Color(0.55, 0.5, 0.27), Color(0.64, 0.5, 0.27)
