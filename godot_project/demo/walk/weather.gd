@@ -30,8 +30,8 @@ func _ready() -> void:
 	drop.size = Vector3(0.0035, 0.5, 0.0035)
 	_rain = _add_air(drop, 4400, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.28))
 	var flake := SphereMesh.new()
-	flake.radius = 0.007
-	flake.height = 0.014
+	flake.radius = 0.009
+	flake.height = 0.018
 	flake.radial_segments = 6
 	flake.rings = 3
 	_flakes = _add_air(flake, 5200, 8.0, 1.4, Color(1, 1, 1, 0.9))
