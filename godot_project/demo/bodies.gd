@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-## Rigid bodies of mixed shapes, thrown into a field: balls, boxes, capsules, cylinders and odd convex stones.
+## Rigid bodies of mixed shapes, thrown into a field: balls, crates, logs, bales of hay and stones.
 extends RefCounted
 
-const COLORS: Array[Color] = [
-	Color(0.75, 0.22, 0.15), Color(0.85, 0.6, 0.2), Color(0.2, 0.4, 0.65), Color(0.8, 0.78, 0.72), Color(0.35, 0.3, 0.5)
-]
+const Look := preload("res://demo/walk/look.gd")
+const BodyLook := preload("res://demo/body_look.gd")
 
 var _random := RandomNumberGenerator.new()
 
@@ -16,44 +15,16 @@ func _init(p_seed: int) -> void:
 ## Returns a body of a random kind, 0.25 to 0.6 m in size. The same seed gives the same bodies.
 func make() -> RigidBody3D:
 	var size := _random.randf_range(0.25, 0.6)
+	var kind := (_random.randi() % BodyLook.KINDS) as BodyLook.Kind
+	var shape: Shape3D = _shape(kind, size)
 	var body := RigidBody3D.new()
-	var shape := CollisionShape3D.new()
-	var look := MeshInstance3D.new()
-	match _random.randi() % 5:
-		0:
-			shape.shape = SphereShape3D.new()
-			shape.shape.radius = size * 0.5
-			look.mesh = SphereMesh.new()
-			look.mesh.radius = size * 0.5
-			look.mesh.height = size
-		1:
-			shape.shape = BoxShape3D.new()
-			shape.shape.size = Vector3(size, size * 0.6, size * 0.8)
-			look.mesh = BoxMesh.new()
-			look.mesh.size = shape.shape.size
-		2:
-			shape.shape = CapsuleShape3D.new()
-			shape.shape.radius = size * 0.3
-			shape.shape.height = size * 1.6
-			look.mesh = CapsuleMesh.new()
-			look.mesh.radius = size * 0.3
-			look.mesh.height = size * 1.6
-		3:
-			shape.shape = CylinderShape3D.new()
-			shape.shape.radius = size * 0.45
-			shape.shape.height = size * 0.7
-			look.mesh = CylinderMesh.new()
-			look.mesh.top_radius = size * 0.45
-			look.mesh.bottom_radius = size * 0.45
-			look.mesh.height = size * 0.7
-		4:
-			_make_stone(shape, look, size)
-	look.material_override = StandardMaterial3D.new()
-	look.material_override.albedo_color = COLORS[_random.randi() % COLORS.size()]
-	look.material_override.roughness = 0.6
+	Look.add_shape(body, shape)
+	var color := _random.randi() % BodyLook.COLORS
+	if kind == BodyLook.Kind.STONE:
+		Look.add_mesh(body, BodyLook.stone((shape as ConvexPolygonShape3D).points, color), Vector3.ZERO)
+	else:
+		Look.add_mesh(body, BodyLook.mesh(kind, color), Vector3.ZERO).scale = size * Vector3.ONE
 	body.mass = 8.0 * size * size * size / 0.064
-	body.add_child(shape)
-	body.add_child(look)
 	return body
 
 
@@ -69,35 +40,28 @@ func throw(body: RigidBody3D, extent: float) -> void:
 	body.linear_damp = 0.35
 
 
-func _make_stone(r_shape: CollisionShape3D, r_look: MeshInstance3D, size: float) -> void:
+## A shape of this kind; but for the stone it is as large as the unit's, times `size` (BodyLook).
+func _shape(kind: BodyLook.Kind, size: float) -> Shape3D:
+	match kind:
+		BodyLook.Kind.BALL:
+			var ball := SphereShape3D.new()
+			ball.radius = size * BodyLook.BALL
+			return ball
+		BodyLook.Kind.CRATE:
+			return Look.box(size * BodyLook.CRATE)
+		BodyLook.Kind.LOG:
+			var log_shape := CapsuleShape3D.new()
+			log_shape.radius = size * BodyLook.LOG.x
+			log_shape.height = size * BodyLook.LOG.y
+			return log_shape
+		BodyLook.Kind.BALE:
+			var bale := CylinderShape3D.new()
+			bale.radius = size * BodyLook.BALE.x
+			bale.height = size * BodyLook.BALE.y
+			return bale
 	var points := PackedVector3Array()
 	for i in 14:
 		points.append(Vector3(_random.randfn(), _random.randfn(), _random.randfn()).normalized() * size * _random.randf_range(0.4, 0.6))
-	r_shape.shape = ConvexPolygonShape3D.new()
-	r_shape.shape.points = points
-	r_look.mesh = hull_mesh(points)
-
-
-# The faces of the convex hull: every triple of points that has all others on one side.
-static func hull_mesh(points: PackedVector3Array) -> ArrayMesh:
-	var surface := SurfaceTool.new()
-	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
-	surface.set_smooth_group(-1)
-	for a in points.size():
-		for b in range(a + 1, points.size()):
-			for c in range(b + 1, points.size()):
-				var plane := Plane(points[a], points[b], points[c])
-				var above := 0
-				for point in points:
-					above += int(plane.distance_to(point) > 1e-5)
-				var below := 0
-				for point in points:
-					below += int(plane.distance_to(point) < -1e-5)
-				if above == 0:
-					for i: int in [a, b, c]:
-						surface.add_vertex(points[i])
-				elif below == 0:
-					for i: int in [a, c, b]:
-						surface.add_vertex(points[i])
-	surface.generate_normals()
-	return surface.commit()
+	var stone := ConvexPolygonShape3D.new()
+	stone.points = points
+	return stone

@@ -8,6 +8,7 @@ const Clouds := preload("res://demo/walk/clouds.gd")
 const Sun := preload("res://demo/sun.gd")
 const Country := preload("res://demo/walk/country.gd")
 const Trees := preload("res://demo/walk/trees.gd")
+const Look := preload("res://demo/walk/look.gd")
 const SIDE := {true: 192, false: 1024}  # metres, of all grass: small, for software rendering, or not
 const CLOSE := 110.0  # metres, side up to which the grass around the middle is as dense as in the walk's own middle
 const MARGIN := 6.0  # metres, by which the level ground is larger than the middle
@@ -51,6 +52,7 @@ func surround(p_field: GrassField, p_terrain: Hills.Terrain, is_small: bool) -> 
 static func open_sky(world: WorldEnvironment, sun: DirectionalLight3D) -> void:
 	world.environment = with_clouds(world.environment)  # the environment in the file does not change
 	Sun.complete(sun, world.environment.sky.sky_material)
+	Look.reflect(Look.SKY)
 
 
 ## Returns a copy of an environment, with clouds in its sky.
@@ -67,6 +69,8 @@ func set_wind(speed: float) -> void:
 
 func set_weather(snow: float, wetness: float) -> void:
 	hills.cover(snow, wetness)
+	Look.cover(snow, wetness)
+	Trees.cover(snow, wetness)
 	for field in country.fields:
 		field.snow = snow
 		field.wetness = wetness

@@ -3,6 +3,7 @@
 extends "res://demo/place.gd"
 
 const Bodies := preload("res://demo/bodies.gd")
+const Figure := preload("res://demo/walk/figure.gd")
 const ROLL_AGAIN := 10.0  # seconds
 const PACE := 1.4  # m/s
 const STEP := 0.7  # metres from one footprint to the next
@@ -11,17 +12,27 @@ var _bodies: Array[RigidBody3D] = []
 var _rolled := -ROLL_AGAIN  # seconds: when bodies were let go last
 var _walked := 0.0  # metres
 var _trodden := 0.0  # metres, those with footprints
+var _figure := Figure.new()
 
 @onready var _terrain: StaticBody3D = $Terrain
 @onready var _walker: AnimatableBody3D = $Walker
 @onready var _stroll: Curve3D = ($Stroll as Path3D).curve
 
 
+func _ready() -> void:
+	_walker.add_child(_figure)
+	super()
+
+
 func happen(delta: float) -> void:
 	if time - _rolled > ROLL_AGAIN:
 		_roll()
 	_walked = fmod(_walked + PACE * delta, _stroll.get_baked_length())
-	_walker.position = _on_ground(_stroll.sample_baked(_walked))
+	var place := _on_ground(_stroll.sample_baked(_walked))
+	var way := place - _walker.position
+	_walker.position = place
+	_figure.rotation.y = atan2(-way.x, -way.z)
+	_figure.step(PACE * delta, PACE)
 	if absf(_walked - _trodden) > STEP:
 		_trodden = _walked
 		field.trample(_walker.global_position, 0.4, 0.08)

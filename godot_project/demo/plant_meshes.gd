@@ -247,19 +247,19 @@ func _cup(centre: Vector3, facing: Vector3, right: Vector3, front: Vector3, colo
 
 ## Returns a twig with leaves on both sides.
 func _twig(across: float, along: float) -> Vector2:
-	const LEAVES := 11
+	const LEAVES := 15
 	if absf(across) < 0.05 * (1.1 - along) and along < 0.93:
 		return Vector2(0.62, 1.0)
 	for j in LEAVES:
 		var from := 0.06 + 0.78 * j / (LEAVES - 1.0)
 		var side := 1.0 if j % 2 == 0 else -1.0
 		var way := Vector2(0.86 * side, 0.5) if j < LEAVES - 1 else Vector2(0.0, 1.0)
-		var size := lerpf(0.86, 0.55, j / (LEAVES - 1.0))
+		var size := lerpf(0.78, 0.42, j / (LEAVES - 1.0))
 		# A texel is twice as long along the twig as across it.
 		var at := Vector2(across, 2.0 * (along - from))
 		var t := at.dot(way.normalized()) / size
 		var off := absf(at.cross(way.normalized())) / size
-		if t > 0.0 and t < 1.0 and off < 0.26 * pow(sin(PI * pow(t, 0.8)), 0.8):
+		if t > 0.0 and t < 1.0 and off < 0.2 * pow(sin(PI * pow(t, 0.8)), 0.8):
 			var is_rib := off < 0.025
 			return Vector2((0.78 if is_rib else 1.0) * (0.82 + 0.18 * fposmod(0.37 * j, 1.0)), 1.0)
 	return Vector2(1.0, 0.0)
@@ -278,9 +278,9 @@ func _grow_small_shrub() -> void:
 		var turn := 2.39996 * i + 0.6
 		var out := Vector3(cos(turn), 0.0, sin(turn))
 		var from := knee.lerp(top, (t - 0.44) / 0.56) if t > 0.44 else knee * t / 0.44
-		var size := lerpf(0.42, 0.22, t) * _dice.randf_range(0.85, 1.1)
+		var size := lerpf(0.4, 0.2, t) * _dice.randf_range(0.7, 1.15)
 		var along := (out * lerpf(1.0, 0.3, t) + Vector3.UP * lerpf(0.5, 1.2, t)).normalized() * size
 		var fresh := clampf(0.2 + 0.6 * t + _dice.randf_range(-0.2, 0.2), 0.0, 1.0)
-		var color := Color(0.23, 0.32, 0.15).lerp(Color(0.5, 0.58, 0.26), fresh)
+		var color := Color(0.28, 0.36, 0.2).lerp(Color(0.54, 0.62, 0.32), fresh)
 		var up := (Vector3.UP + 0.4 * out).rotated(along.normalized(), _dice.randf_range(-0.9, 0.9))
-		_sheet(from, along, up, 0.5 * size, color.darkened(0.15), color)
+		_sheet(from, along, up, 0.4 * size, color.darkened(0.2), color)

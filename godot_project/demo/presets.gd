@@ -11,6 +11,7 @@ const FOLDER := "res://addons/grass_field/presets/"
 const WIND := 2.0  # m/s
 const PICTURE := Vector2i(640, 360)  # pixels
 const EYES := 1.7  # metres
+const MOSS := 0.2  # how much darker than roots the soil is, which moss and old blades cover
 const SIDE := 24.0  # metres, of each field
 const BORDER := 3.0  # metres, in which a stand gets thinner and lower, and in which the landscape's grass begins
 const TURN := 0.55  # radians by which one looks aside: a border that lies across the picture looks straight, however ragged it is
@@ -70,6 +71,7 @@ static func make(name: String) -> GrassField:
 	field.soil_color = Country.SOIL
 	field.wind_speed = WIND
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
+	field.soil_color = species.root_color.darkened(MOSS)
 	# Flowers grow among grass.
 	field.species = [load(FOLDER + "meadow.tres"), species] if species.share < 0.3 else [species]
 	return field

@@ -2,7 +2,9 @@
 ## A reed bank. A boat comes along the shore and pushes through the reeds, which rise again behind it.
 extends "res://demo/place.gd"
 
-const Bodies := preload("res://demo/bodies.gd")
+const Look := preload("res://demo/walk/look.gd")
+const Mould := preload("res://demo/walk/mould.gd")
+const PLANKS := Color(0.4, 0.29, 0.19)
 const SPEED := 1.6  # m/s
 
 var _sailed := 13.0  # metres
@@ -12,7 +14,11 @@ var _sailed := 13.0  # metres
 
 
 func _ready() -> void:
-	$Boat/Mesh.mesh = Bodies.hull_mesh(($Boat/Hull.shape as ConvexPolygonShape3D).points)
+	var mould := Mould.new()
+	mould.grain = Vector2(3.0, 0.5)  # planks from bow to stern
+	mould.paint(PLANKS, 0.8)
+	mould.hull(($Boat/Hull.shape as ConvexPolygonShape3D).points)
+	Look.add_mesh($Boat, mould.commit(), Vector3.ZERO)
 	super()
 
 

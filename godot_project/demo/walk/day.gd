@@ -4,7 +4,9 @@
 extends Node
 
 const Clouds := preload("res://demo/walk/clouds.gd")
+const Stars := preload("res://demo/walk/stars.gd")
 const Sun := preload("res://demo/sun.gd")
+const Look := preload("res://demo/walk/look.gd")
 const PACE := 24.0 / 900.0  # hours a second: a day in a quarter of an hour
 const HURRY := 1.5  # hours a second while the key is held
 const NOON_HEIGHT := 1.0  # radians
@@ -15,7 +17,8 @@ const SKY_STEPS := 48.0  # the sky is drawn again, which costs time, when its li
 ## Zenith, horizon, ambient light; by day, at dusk, by night, under clouds.
 const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(0.5, 0.58, 0.68)]
 const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
-const NIGHT: Array[Color] = [Color(0.012, 0.02, 0.05), Color(0.06, 0.08, 0.14), Color(0.12, 0.15, 0.26)]
+const NIGHT: Array[Color] = [Color(0.035, 0.05, 0.11), Color(0.1, 0.13, 0.22), Color(0.13, 0.16, 0.27)]
+const STARLIGHT := 0.12  # light of the day below which stars shine in place of clouds
 ## What a low sun adds by day to zenith, horizon and ambient light, and what its light makes of thin clouds.
 const LOW: Array[Color] = [Color(0.25, 0.41, 0.63), Color(0.94, 0.8, 0.6), Color(0.54, 0.51, 0.52)]
 const LOW_CLOUDS := Color(1.0, 0.84, 0.66)
@@ -71,6 +74,7 @@ func _set_air(clouds: float) -> void:
 	_environment.ambient_light_color = ambient
 	_environment.ambient_light_energy = 1.0
 	_environment.fog_light_color = _mix(1, clouds)
+	Look.reflect(_mix(1, clouds))
 	_environment.fog_sun_scatter = LOW_HAZE * _warm * (1.0 - clouds)
 	_environment.fog_density = lerpf(0.0006, 0.004, clouds)
 	var state := (SKY_STEPS * Vector3(light, clouds, _warm)).round()
@@ -80,8 +84,16 @@ func _set_air(clouds: float) -> void:
 		_sky.sky_top_color = _mix(0, clouds)
 		_sky.sky_horizon_color = _mix(1, clouds)
 		_sky.ground_horizon_color = _mix(1, clouds)
-		_sky.sky_cover_modulate = Color(Color.WHITE.lerp(LOW_CLOUDS, _warm), light * light * (1.0 - clouds))
+		_cover(clouds)
 		_sky.ground_bottom_color = 0.4 * _mix(1, clouds)
+
+
+## Draws thin clouds by day, stars by night. Both are gone where one takes the other's place.
+func _cover(clouds: float) -> void:
+	var stars := 1.0 - smoothstep(0.0, STARLIGHT, light)
+	_sky.sky_cover = Stars.cover() if stars > 0.0 else Clouds.cover()
+	var color := Color.WHITE if stars > 0.0 else Color.WHITE.lerp(LOW_CLOUDS, _warm)
+	_sky.sky_cover_modulate = Color(color, (stars if stars > 0.0 else light * light - STARLIGHT * STARLIGHT) * (1.0 - clouds))
 
 
 ## Blends the colours of night, dusk and day, in this order with growing light; greyer under clouds, which show by day.

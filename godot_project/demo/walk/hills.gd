@@ -5,12 +5,13 @@
 extends StaticBody3D
 
 const Terrain := preload("res://demo/terrain.gd")
+const Far := preload("res://demo/walk/hills.gdshader")
 const STEP := 4  # metres from one height of the noise to the next; heights between them are interpolated
 const FAR_STEP := 16.0  # metres, of the hills to the horizon
 const FAR := 1600.0  # metres, from the middle to their end
 const RELIEF := 26.0  # metres
 const EARTH := Color(0.4, 0.48, 0.2)  # at the horizon: about the colour of far grass
-const SNOW := Color(0.88, 0.9, 0.95)
+const FIRST_FIELD := 350.0  # metres from the middle, at least, from where on there are fields, hedges and woods
 const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
 const BELOW_TERRAIN := 8.0  # metres that they are lower at a terrain, whose every bump they do not follow
 const BLEND := 70.0  # metres from a terrain's border to where the hills are as without it
@@ -22,7 +23,7 @@ var terrain: Terrain  ## in the middle; null: none
 var water := -INF  ## height of lakes, in which no trees grow
 var shape := HeightMapShape3D.new()
 
-var _material := StandardMaterial3D.new()
+var _material := ShaderMaterial.new()
 var _noise := FastNoiseLite.new()
 
 
@@ -48,8 +49,9 @@ func make(p_side: int) -> void:
 	var collider := CollisionShape3D.new()
 	collider.shape = shape
 	add_child(collider)
-	_material.roughness = 1.0
-	_material.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT_WRAP  # grass lets light through
+	_material.shader = Far
+	_material.set_shader_parameter("earth", EARTH)
+	_material.set_shader_parameter("begin", maxf(0.5 * side, FIRST_FIELD))
 	var look := MeshInstance3D.new()
 	look.mesh = _mesh()
 	look.material_override = _material
@@ -60,7 +62,8 @@ func make(p_side: int) -> void:
 
 ## Covers the hills to the horizon with snow, and wets them; each 0 to 1.
 func cover(snow: float, wetness: float) -> void:
-	_material.albedo_color = EARTH.lerp(0.55 * EARTH, wetness).lerp(SNOW, snow)
+	_material.set_shader_parameter("snow", snow)
+	_material.set_shader_parameter("wetness", wetness)
 
 
 ## Height above the node at a place, metres: that of the shape's squares.

@@ -1,6 +1,31 @@
 # SPDX-License-Identifier: MIT
-## Makes the shapes and materials of the things that move in the walk, in one line each.
+## Makes the shapes and materials of the things that move in the walk, in one line each. Things of the same paint share their material, so
+## that weather and sky reach them all.
 extends RefCounted
+
+const Thing := preload("res://demo/walk/thing.gdshader")
+const SKY := Color(0.6, 0.7, 0.82)  # that shines on things, by day
+
+static var _painted: ShaderMaterial
+
+
+## The material of meshes that a mould made.
+static func painted() -> ShaderMaterial:
+	if _painted == null:
+		_painted = ShaderMaterial.new()
+		_painted.shader = Thing
+	return _painted
+
+
+## Covers things with snow, and wets them; each 0 to 1.
+static func cover(snow: float, wetness: float) -> void:
+	painted().set_shader_parameter("snow", snow)
+	painted().set_shader_parameter("wetness", wetness)
+
+
+## Lets this colour of the sky shine on things.
+static func reflect(sky: Color) -> void:
+	painted().set_shader_parameter("sky", sky)
 
 
 static func paint(color: Color, roughness := 0.6, metallic := 0.0) -> StandardMaterial3D:
@@ -11,13 +36,7 @@ static func paint(color: Color, roughness := 0.6, metallic := 0.0) -> StandardMa
 	return material
 
 
-static func add_box(to: Node3D, size: Vector3, at: Vector3, color: Color, metallic := 0.0) -> MeshInstance3D:
-	var mesh := BoxMesh.new()
-	mesh.size = size
-	return add_mesh(to, mesh, at, paint(color, 0.5, metallic))
-
-
-static func add_mesh(to: Node3D, mesh: Mesh, at: Vector3, material: Material) -> MeshInstance3D:
+static func add_mesh(to: Node3D, mesh: Mesh, at: Vector3, material: Material = painted()) -> MeshInstance3D:
 	var look := MeshInstance3D.new()
 	look.mesh = mesh
 	look.position = at
@@ -47,8 +66,8 @@ static func add_lamp(to: Node3D, at: Vector3, energy: float, reach: float) -> Sp
 	lamp.light_color = Color(1.0, 0.94, 0.82)
 	lamp.light_energy = energy
 	lamp.spot_range = reach
-	lamp.spot_angle = 38.0
-	lamp.spot_angle_attenuation = 0.5  # a soft rim
+	lamp.spot_angle = 44.0
+	lamp.spot_angle_attenuation = 1.8  # no rim is seen
 	lamp.visible = false
 	to.add_child(lamp)
 	return lamp

@@ -3,6 +3,7 @@
 extends AnimatableBody3D
 
 const Look := preload("res://demo/walk/look.gd")
+const MowerLook := preload("res://demo/walk/mower_look.gd")
 const Hills := preload("res://demo/walk/hills.gd")
 const Country := preload("res://demo/walk/country.gd")
 const DECK := Vector3(1.0, 0.16, 0.8)  # metres
@@ -18,18 +19,7 @@ var _deck: CollisionShape3D
 func _ready() -> void:
 	sync_to_physics = false
 	_deck = Look.add_shape(self, Look.box(DECK), Vector3(0.0, HEIGHT + 0.5 * DECK.y, 0.0))
-	Look.add_box(self, DECK, _deck.position, Color(0.75, 0.12, 0.08))
-	Look.add_box(self, Vector3(0.4, 0.26, 0.4), Vector3(0.0, 0.34, 0.0), Color(0.12, 0.12, 0.13), 0.3)
-	for x: float in [-0.45, 0.45]:
-		for z: float in [-0.36, 0.36]:
-			var wheel := CylinderMesh.new()
-			wheel.top_radius = 0.12
-			wheel.bottom_radius = 0.12
-			wheel.height = 0.08
-			Look.add_mesh(self, wheel, Vector3(1.12 * x, 0.12, z), Look.paint(Color(0.05, 0.05, 0.05))).rotation.z = 0.5 * PI
-		var pole := Look.add_box(self, Vector3(0.035, 1.1, 0.035), Vector3(0.6 * x, 0.62, 0.72), Color(0.2, 0.2, 0.2), 0.5)
-		pole.rotation.x = 0.75
-	Look.add_box(self, Vector3(0.6, 0.04, 0.04), Vector3(0.0, 1.02, 1.09), Color(0.08, 0.08, 0.08))
+	Look.add_mesh(self, MowerLook.mesh(DECK, HEIGHT), Vector3.ZERO)
 
 
 ## Moves it for a tick, in front of somebody at `place` who looks along `yaw`.

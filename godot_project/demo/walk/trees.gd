@@ -6,7 +6,9 @@ const GROVES := 26
 const IN_GROVE := Vector2i(1, 11)  # trees, fewest and most
 const SPREAD := 18.0  # metres, from the middle of a grove
 const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
-const LEAVES: Array[Color] = [Color(0.47, 0.55, 0.25), Color(0.56, 0.6, 0.31), Color(0.39, 0.5, 0.25)]
+const LEAVES: Array[Color] = [
+	Color(0.44, 0.53, 0.23), Color(0.51, 0.58, 0.27), Color(0.36, 0.49, 0.23), Color(0.46, 0.55, 0.33), Color(0.48, 0.54, 0.25)
+]
 const BARK := Color(0.4, 0.35, 0.29)
 const KINDS := 3  # of trees, each with a shape of its own
 const PARTS := 19  # of a crown, each at the end of a limb; lengths here are in heights of the tree
@@ -30,6 +32,8 @@ const Foliage := preload("res://demo/walk/foliage.gdshader")
 
 var count := 0  ## trees
 var others: Array[Vector3] = []  ## places of trees besides those in groves
+
+static var _leaves: ShaderMaterial  # of all trees
 
 var _places: Array[Transform3D] = []
 
@@ -59,6 +63,12 @@ func make(hills: Hills, near: float, far: float) -> void:
 		var parts := _parts(kind)
 		_add(_trunk(parts), places, bark, [BARK], random)
 		_add(_crown(parts), places, foliage, LEAVES, random)
+
+
+## Covers all trees with snow, and wets them; each 0 to 1.
+static func cover(snow: float, wetness: float) -> void:
+	_foliage().set_shader_parameter("snow", snow)
+	_foliage().set_shader_parameter("wetness", wetness)
 
 
 func _plant(foot: Vector3, random: RandomNumberGenerator) -> void:
@@ -94,10 +104,11 @@ static func _bark() -> StandardMaterial3D:
 
 
 static func _foliage() -> ShaderMaterial:
-	var foliage := ShaderMaterial.new()
-	foliage.shader = Foliage
-	foliage.set_shader_parameter("twig", ImageTexture.create_from_image(_twig()))
-	return foliage
+	if _leaves == null:
+		_leaves = ShaderMaterial.new()
+		_leaves.shader = Foliage
+		_leaves.set_shader_parameter("twig", ImageTexture.create_from_image(_twig()))
+	return _leaves
 
 
 ## Returns the middles of a crown's parts, around the trunk and upwards, and about half their widths: in w.
@@ -174,7 +185,7 @@ static func _add_card(
 	var half := random.randf_range(CARD.x, CARD.y)
 	for corner: Vector2 in [Vector2(-1, -1), Vector2(1, -1), Vector2(-1, 1), Vector2(1, 1)]:
 		var off := (across * corner.x + along * corner.y) * half
-		surface.set_color(Color(light, light, light))
+		surface.set_color(Color(1, 1, 1, light))
 		surface.set_normal((normal + 1.5 * off).normalized())
 		surface.set_uv(0.5 * corner + Vector2(0.5, 0.5))
 		surface.add_vertex(middle + off)

@@ -6,6 +6,7 @@ extends Node3D
 const Country := preload("res://demo/walk/country.gd")
 const Hills := preload("res://demo/walk/hills.gd")
 const Look := preload("res://demo/walk/look.gd")
+const Trees := preload("res://demo/walk/trees.gd")
 ## wind: m/s; gusts, wet, snow, clouds, rain and flakes in the air: 0 to 1.
 const KINDS := {
 	clear = {wind = 2.0, gusts = 0.4, wet = 0.0, snow = 0.0, clouds = 0.0, rain = 0.0, flakes = 0.0},
@@ -26,14 +27,14 @@ var _flakes: GPUParticles3D
 
 func _ready() -> void:
 	var drop := BoxMesh.new()
-	drop.size = Vector3(0.008, 0.4, 0.008)
-	_rain = _add_air(drop, 2200, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.5))
+	drop.size = Vector3(0.0035, 0.5, 0.0035)
+	_rain = _add_air(drop, 4400, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.28))
 	var flake := SphereMesh.new()
-	flake.radius = 0.013
-	flake.height = 0.026
+	flake.radius = 0.009
+	flake.height = 0.018
 	flake.radial_segments = 6
 	flake.rings = 3
-	_flakes = _add_air(flake, 2600, 8.0, 1.4, Color(1, 1, 1, 0.9))
+	_flakes = _add_air(flake, 5200, 8.0, 1.4, Color(1, 1, 1, 0.9))
 
 
 func change() -> void:
@@ -55,6 +56,8 @@ func advance(delta: float, country: Country, hills: Hills, eye: Vector3) -> void
 		field.wetness = now.wet
 		field.snow = now.snow
 	hills.cover(now.snow, now.wet)
+	Look.cover(now.snow, now.wet)
+	Trees.cover(now.snow, now.wet)
 	global_position = eye
 	_show(_rain, now.rain)
 	_show(_flakes, now.flakes)
@@ -70,7 +73,8 @@ func _add_air(mesh: Mesh, amount: int, lifetime: float, speed: float, color: Col
 	var way := ParticleProcessMaterial.new()
 	way.emission_shape = ParticleProcessMaterial.EMISSION_SHAPE_BOX
 	way.emission_box_extents = Vector3(AIR.x, 0.5 * AIR.y, AIR.z)
-	way.direction = Vector3(0.12, -1.0, 0.05)
+	way.direction = Vector3(0.16, -1.0, 0.05)
+	way.particle_flag_align_y = speed > 5.0  # drops are drawn out along their way
 	way.spread = 2.0 if speed > 5.0 else 25.0
 	way.gravity = Vector3.ZERO
 	way.initial_velocity_min = 0.8 * speed

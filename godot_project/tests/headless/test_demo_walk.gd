@@ -3,6 +3,8 @@
 extends "res://tests/case.gd"
 
 const SCENE := "res://demo/walk.tscn"
+const Clouds := preload("res://demo/walk/clouds.gd")
+const Stars := preload("res://demo/walk/stars.gd")
 
 var walk: Node3D
 var field: GrassField
@@ -281,6 +283,8 @@ func test_day_and_night() -> void:
 	var morning := sun.global_basis.z
 	var energy := sun.light_energy
 	assert_false(walk.day.is_dark())
+	var sky: ProceduralSkyMaterial = walk.get_node("World").environment.sky.sky_material
+	assert_eq(sky.sky_cover, Clouds.cover(), "clouds by day")
 	await hold(key(KEY_T))
 	var most := 0.0
 	for i in 440:
@@ -292,6 +296,8 @@ func test_day_and_night() -> void:
 	await let_go()
 	assert_true(walk.day.is_dark(), "it is night at %.1f" % walk.day.hour)
 	assert_less(sun.light_energy, 0.4 * energy, "the moon is weaker")
+	assert_eq(sky.sky_cover, Stars.cover(), "stars by night")
+	assert_greater(sky.sky_cover_modulate.a, 0.5, "that shine")
 	assert_less(most, 0.2, "no jump of the light")
 	assert_true(walk.eye.lamp.visible, "a lamp by night")
 	await tap(key(KEY_L))

@@ -22,6 +22,7 @@ const ALL := {
 class Rolled:
 	extends Pair
 	const Look := preload("res://demo/walk/look.gd")
+	const BodyLook := preload("res://demo/body_look.gd")
 	const RADIUS := 0.45  # metres
 	var pace := 6.0  # m/s
 	var _ball: AnimatableBody3D
@@ -32,10 +33,7 @@ class Rolled:
 		var shape := SphereShape3D.new()
 		shape.radius = RADIUS
 		Look.add_shape(_ball, shape)
-		var mesh := SphereMesh.new()
-		mesh.radius = RADIUS
-		mesh.height = 2.0 * RADIUS
-		Look.add_mesh(_ball, mesh, Vector3.ZERO, Look.paint(Color(0.78, 0.2, 0.13), 0.45))
+		Look.add_mesh(_ball, BodyLook.mesh(BodyLook.Kind.BALL, 0), Vector3.ZERO).scale = Vector3.ONE * RADIUS / BodyLook.BALL
 		_ball.sync_to_physics = false
 		add_child(_ball)
 		var along := from
