@@ -147,8 +147,8 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 
 #include "lod/casts.inc"
 
-// [Eq L7] [Eq L9] The share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of it in a
-// pixel.
+// [Eq L7] [Eq L9] Returns the share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of
+// it in a pixel.
 float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p_slope) {
 	float height = p_cut < GRASS_UNCUT ? min(view.blades.z, p_cut) : view.blades.z;
 	float cover = p_grown * grass_lod_cover(view.blades.y, height, view.field.z);

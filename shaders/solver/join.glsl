@@ -78,8 +78,8 @@ Bent bent_of(int p_knot, bool p_has_strains) {
 	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), twist);
 }
 
-// [Eq 50] How far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the halves:
-// what was now in the step before is `before` in this one.
+// [Eq 50] Returns how far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the
+// halves: what was now in the step before is `before` in this one.
 Bent alone_of(int p_k, vec3 p_rest, vec3 p_moved) {
 	vec3 last = step.contact.x >= 1.0 ? before_of(p_k) : start_of(p_k);
 	return Bent(last - p_rest + p_moved, p_moved, start_twist_of(p_k - 1));

@@ -180,7 +180,7 @@ vec3 force_on(StrainBlade p_blade, int p_mass) {
 
 #include "strain/step.inc"
 
-// What take_chain.inc asks for. The numbers are written over the twists.
+// Returns what take_chain.inc asks for. The numbers are written over the twists.
 float twist_of(StrainBlade p_blade, int p_joint) {
 	return start_twist_of(p_joint);
 }
