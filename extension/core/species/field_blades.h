@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Each blade of a field at rest: its species, its clump, and how a map changes both. Does for the CPU
-// what begin_point() in shaders/draw/pose.gdshaderinc does for the picture. Lives as long as the field is built.
+// SPDX-License-Identifier: MIT Each blade of a field at rest: its species, its clump, and how a map changes both. It is for the CPU what
+// begin_point() in shaders/draw/pose.gdshaderinc is for the picture. Lives as long as the field is built.
 #pragma once
 
 #include "core/base/standing_plant.h"
@@ -46,7 +45,7 @@ public:
 		float length = 0.0f; // metres, as far as it has grown out of the ground, and before it is mown
 		float left = 0.0f; // share of the whole blade that has grown and was not mown, 0..1
 	};
-	// p_pose: of that blade. p_border_fade: as in grass_border(), metres.
+	// Returns the pose of a blade's mesh. p_pose: of that blade. p_border_fade: as in grass_border(), metres.
 	Standing get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, float p_border_fade) const;
 	// Appends the blades of a tile whose species is in the bit mask p_species.
 	void find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const;
