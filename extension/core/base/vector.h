@@ -84,7 +84,7 @@ template <class Record, class... Members> GRASS_INLINE Record made(const Members
 	return Record{ p_members... };
 }
 
-// Does what GLSL's own functions do. Its compiler may fuse their products into sums; here all of them round in the same way.
+// Do what GLSL's own functions do. Its compiler may fuse their products into sums; here all of them round in the same way.
 template <class T> GRASS_INLINE T dot(const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z;
 }
