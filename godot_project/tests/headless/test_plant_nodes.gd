@@ -251,3 +251,14 @@ func test_characters_and_rolling_bodies_have_plants_around_them() -> void:
 	assert_greater(nodes.size(), 5)
 	for blade: int in nodes:
 		assert_less(root_of(field, blade).distance_to(stone.position), 4.6)
+
+
+func test_bodies_of_plants_have_no_plants_around_them() -> void:
+	var body := RigidBody3D.new()
+	body.gravity_scale = 0.0
+	body.can_sleep = false
+	var field := add_shrubs({}, shrub(shrub_scene(body), {share = 0.02}))
+	await settled(field)
+	await ticks(30)
+	await settled(field)
+	assert_eq(sorted(nodes.keys()), sorted(shrubs_within(field, camera.position, DISTANCE)))

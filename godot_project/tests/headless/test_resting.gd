@@ -198,6 +198,7 @@ func test_ground_that_a_script_moves_is_noticed() -> void:
 		wall.position.x += 0.02
 		await ticks(1)
 	assert_greater(field.get_awake_tile_count(), 0)
+	await rested([field])  # it is ground there, too
 
 
 func test_a_body_of_the_server_alone_is_noticed() -> void:

@@ -60,6 +60,16 @@ func test_wheels_press_the_grass() -> void:
 	assert_greater(awake, 3)
 
 
+func test_a_vehicle_that_leaves_takes_its_wheels_along() -> void:
+	var field := add_field({size = Vector2(12, 12)})
+	var vehicle := add_vehicle()
+	await ticks(60)
+	assert_eq(field.get_counters().wheels, 4)
+	vehicle.position.x += 500.0
+	await ticks_to_sleep(field)
+	assert_eq(field.get_counters().wheels, 0)
+
+
 func test_wheels_that_slip_leave_tracks() -> void:
 	var field := add_field({size = Vector2(12, 12), map = full_map(), wheel_wear = 5.0})
 	var vehicle := add_vehicle()
