@@ -156,6 +156,12 @@ func ball(radius: float) -> SphereShape3D:
 	return shape
 
 
+func box(size: Vector3) -> BoxShape3D:
+	var shape := BoxShape3D.new()
+	shape.size = size
+	return shape
+
+
 ## Returns a map on which grass grows everywhere.
 func full_map() -> GrassMap:
 	var map := GrassMap.new()

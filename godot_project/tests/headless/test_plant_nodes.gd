@@ -143,8 +143,7 @@ func test_cut_painted_and_hidden_plants_lose_their_nodes() -> void:
 	await settled(field)
 	var all := nodes.size()
 	assert_greater(all, 50)
-	var deck := BoxShape3D.new()
-	deck.size = Vector3(4, 2, 4)
+	var deck := box(Vector3(4, 2, 4))
 	field.cut(deck, Transform3D(Basis(), Vector3(3, 1.2, 0)))  # 0.2 m high
 	await settled(field)
 	assert_less(nodes.size(), all)

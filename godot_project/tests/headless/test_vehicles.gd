@@ -13,8 +13,7 @@ func add_vehicle() -> VehicleBody3D:
 	add_child(ground)
 	var vehicle := VehicleBody3D.new()
 	vehicle.mass = 400.0
-	var chassis := BoxShape3D.new()
-	chassis.size = Vector3(1.6, 0.4, 3.2)
+	var chassis := box(Vector3(1.6, 0.4, 3.2))
 	add_shape(vehicle, chassis, Transform3D(Basis(), Vector3(0, 0.7, 0)))
 	for place in WHEELS:
 		var wheel := VehicleWheel3D.new()
