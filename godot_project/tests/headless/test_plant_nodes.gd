@@ -126,6 +126,13 @@ func test_work_does_not_grow_with_the_field() -> void:
 	assert_less(looked_at[252], 4000)
 
 
+func test_an_eye_high_above_looks_at_nothing() -> void:
+	camera.position.y = 2.0 * DISTANCE
+	var field := add_shrubs()
+	await ticks(20)
+	assert_eq(field.get_counters().plant_tiles_looked_at, 0)
+
+
 func test_work_of_a_tick_is_bounded() -> void:
 	var field := add_shrubs({density = 1000.0}, shrub(shrub_scene(), {share = 0.0005, plant_scene_distance = 12.0}))
 	var before := 0
