@@ -262,7 +262,7 @@ LevelSet CpuBackend::find_made_levels() const {
 	return made;
 }
 
-// Nothing for unused tiles of the pool: memory is allocated with the tiles that wake.
+// Counts nothing for unused tiles of the pool: memory is allocated with the tiles that wake.
 BackendMemory CpuBackend::get_memory() const {
 	constexpr int64_t ROW_BYTES = PoolTexels::ROW_TEXELS * 8;
 	const int64_t copies = !_is_drawn ? 0 : _texels.is_between() ? 4 : 2; // of a row: see PoolTexels, and the texture

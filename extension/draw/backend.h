@@ -44,20 +44,22 @@ public:
 	virtual bool is_refused() const { return false; }
 	// Chooses what this frame draws.
 	virtual void draw(const FieldView &p_view) = 0;
-	// Must be called in each rendered frame, before show_motion(). p_is_between: whether the engine draws bodies, and so the blades that
-	// they bend, between two ticks; p_share: share of the last step, 0..1; the rest is the state before that step.
+	// Shows the blades between two steps. Must be called in each rendered frame, before show_motion(). p_is_between: whether the engine
+	// draws bodies, and so the blades that they bend, between two ticks; p_share: share of the last step, 0..1; the rest is the state
+	// before that step.
 	virtual void show_between(bool p_is_between, float p_share) = 0;
-	// Must be called in each rendered frame, before follow(). p_is_read: whether anything reads motion vectors; p_has_blown: whether the
-	// wind's clock has advanced since the last frame. The engine calls vertex() a second time with the MODEL_MATRIX of the frame before,
-	// and a shader cannot distinguish the calls otherwise. So in frames in which blades move, the instance of the picture flips y over, or
-	// back, and the shader reverses that. Without vectors (default) blades blur where they move.
+	// Makes motion vectors right. Must be called in each rendered frame, before follow(). p_is_read: whether anything reads motion vectors;
+	// p_has_blown: whether the wind's clock has advanced since the last frame. The engine calls vertex() a second time with the
+	// MODEL_MATRIX of the frame before, and a shader cannot distinguish the calls otherwise. So in frames in which blades move, the
+	// instance of the picture flips y over, or back, and the shader reverses that. Without vectors, which is the default, moving blades
+	// blur.
 	virtual void show_motion([[maybe_unused]] bool p_is_read, [[maybe_unused]] bool p_has_blown) {}
 	// Follows the node: p_transform (orthonormal), its world, visibility, layers and shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
-	// For fields with a map: sets the cover of the tiles. Those in p_changed may differ from the last call.
+	// Sets the cover of the tiles, in fields with a map. Tiles in p_changed may differ from the last call.
 	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets the meshes of the field's species, after the field was made; its uniforms must be set again. p_plants_of: see
-	// PlantCull::choose(); it must stay valid as long as the field.
+	// PlantCull::choose(); it must stay valid as long as the field exists.
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
 	// Binds what shaders and passes read of the field's map. Must be called after set_plants(), and whenever that changes.
 	virtual void set_map(const MapBinding &p_map) {
@@ -73,12 +75,12 @@ public:
 
 	using SlotOf = std::function<int(int)>; // returns the slot of a tile; GRASS_NO_SLOT: it is at rest
 
-	// Returns where these blades are, one answer for each, without waiting. Answers are at most two frames old, if read_asked() has run
-	// since the first call with this blade; before that they are unknown.
+	// Returns where these blades are, one answer for each, without waiting. Answers are at most two frames old. They are unknown until
+	// read_asked() has run after the first call with a blade.
 	virtual std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) = 0;
 	// Returns where they are after the last step. Waits for the GPU.
 	virtual std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) = 0;
-	// Must be called once in each frame, after its ticks: requests from the GPU what find_knots() returns later.
+	// Requests from the GPU what find_knots() returns later. Must be called once in each frame, after its ticks.
 	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
 	// Returns a hash of where all simulated blades are after the last step, bit for bit; 0: unknown, since they are on a GPU.
 	virtual uint64_t hash_blades() const { return 0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Describes how one species of a field is drawn by a mesh.
+// How one species of a field is drawn with a mesh.
 #pragma once
 
 #include "core/lod/plant_cull.h"
@@ -33,14 +33,14 @@ struct DrawnPlant {
 	PlantKind kind(int p_stage, float p_reach, double p_tile_size) const {
 		const float cover = model ? model->area * length * length / float(p_tile_size * p_tile_size) : 0.0f;
 		const bool is_mesh = p_stage == GRASS_PLANT_MESH;
-		// From where on the first ones begin to change.
+		// The distance at which the first ones begin to change.
 		const float nearest = is_mesh ? 0.0f : p_reach * distance * float(GRASS_PLANT_FIRST * GRASS_PLANT_FADE);
 		return { p_reach * (is_mesh ? distance : impostor_distance), length, cover, stems, nearest };
 	}
 	float cover() const { return model ? model->area * length * length / std::max(blade_area, 1e-6f) : 0.0f; } // relative to its blade's
 };
 
-// Whether all of them can be drawn at once; if not, threads draw pictures for their impostors.
+// Returns whether all of them can be drawn at once; if not, threads still draw pictures for their impostors.
 inline bool are_pictured(std::span<const DrawnPlant> p_plants) {
 	return std::ranges::all_of(p_plants, [](const DrawnPlant &p_plant) { return !p_plant.impostor || p_plant.impostor->is_drawn(); });
 }

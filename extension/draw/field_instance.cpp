@@ -52,7 +52,7 @@ void FieldInstance::need(bool p_is_needed) {
 
 void FieldInstance::reserve(int p_capacity) {
 	_capacity = p_capacity;
-	const bool is_listed = _written == Written::LISTED; // its transforms are not used; with two rows they are smaller
+	const bool is_listed = _written == Written::LISTED; // its transforms are not used; with two rows they take less memory
 	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, p_capacity,
 			is_listed ? RenderingServer::MULTIMESH_TRANSFORM_2D : RenderingServer::MULTIMESH_TRANSFORM_3D, !is_listed, !is_listed,
 			_written != Written::BY_CPU);

@@ -27,7 +27,7 @@ public:
 	FieldInstance &operator=(const FieldInstance &) = delete;
 	~FieldInstance() { free(); }
 
-	// p_material: of all surfaces, must live as long; null: the mesh has materials of its own.
+	// Creates the instance. p_material: of all surfaces; it must live as long. Null: the mesh has materials of its own.
 	void create(const SharedMesh &p_mesh, const godot::Ref<godot::ShaderMaterial> &p_material, int p_capacity, Written p_written,
 			const godot::AABB &p_bounds, Role p_role);
 	// Draws another mesh. A pass must write the commands of its surfaces again.

@@ -9,8 +9,8 @@ namespace grass {
 
 class FrameShare {
 public:
-	// The work of one user, as long as this object lives. Only that time counts, not what the engine does between two users. A user must
-	// request each piece of work before it begins. Main thread only.
+	// The work of one user while this object lives. Only that time counts, not what the engine does between two users. A user must request
+	// each piece of work before beginning it. Main thread only.
 	class Turn {
 	public:
 		explicit Turn(const void *p_user); // the user that waits if a request is denied
@@ -31,7 +31,7 @@ public:
 
 	// Reduces the time in each frame while a world streams. Call with true for each world that begins, and false for each that ends.
 	static void spare(bool p_begins);
-	// The most in any frame since a world began.
+	// The most that any frame has taken since a world began.
 	struct Most {
 		int64_t parts = 0, bytes = 0;
 	};

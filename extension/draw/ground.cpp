@@ -130,7 +130,8 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet, const G
 	return mesh;
 }
 
-// Shares the mesh: a sheet on hills has a hundred thousand triangles, and all plots of a world have the same size.
+// Makes the sheet's mesh, or shares another ground's: a sheet on hills has a hundred thousand triangles, and all plots of a world have the
+// same size.
 void Ground::make_mesh() {
 	static std::map<std::tuple<double, double, Sheet, uint32_t>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
 	const double x = _grid.get_size_x(), z = _grid.get_size_z();

@@ -23,8 +23,8 @@ constexpr int64_t MADE_AT_ONCE = 1 << 22;
 
 TaskQueue arrays_queue("GrassField's textures", TaskQueue::Priority::LOW);
 
-// Compatibility uploads on one thread, whichever asks. Without a renderer the engine's list of textures is no other thread's (Godot 4.6:
-// one leaked at exit in some runs).
+// Returns whether other threads may make textures. Compatibility uploads on one thread, whichever calls it. Without a renderer only the
+// main thread may use the engine's list of textures (in Godot 4.6 one leaked at exit in some runs).
 bool has_texture_threads() {
 	return RenderingServer::get_singleton()->get_rendering_device() != nullptr;
 }
@@ -38,7 +38,7 @@ struct GrowingArrays::Next {
 	Arrays arrays;
 	std::atomic<bool> is_with_thread = false, is_made = false;
 
-	// Returns the bytes of the array that it made.
+	// Makes one array. Returns its bytes.
 	int64_t make_one() {
 		TypedArray<Ref<Image>> list = std::exchange(images[arrays.size()], {});
 		const int64_t bytes = list.size() * Ref<Image>(list[0])->get_data_size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Texture arrays of the same layers, which grow. The renderer needs all layers of an array when it makes it: small arrays are made at once;
-// for larger ones the layers are gathered, some a frame, and a worker thread makes the arrays, while the old ones show. Compatibility
-// uploads on the thread of the frames: there it is one array a frame.
+// Texture arrays with the same layers, which grow together. The renderer needs all layers of an array at the moment it makes the array. So
+// small arrays are made at once; for larger ones some layers are gathered in each frame, and a worker thread makes the arrays while the old
+// ones are shown. Compatibility uploads on the main thread: there each frame makes one array.
 #pragma once
 
 #include <godot_cpp/classes/image.hpp>
@@ -21,12 +21,12 @@ public:
 	// Returns the image of a layer; p_layer -1: an empty one.
 	using MakeImage = std::function<godot::Ref<godot::Image>(int p_array, int p_layer)>;
 
-	// p_first_room: layers, a power of two.
+	// Begins without layers. p_first_room: the first number of layers, a power of two.
 	GrowingArrays(int p_arrays, int p_first_room) : _arrays(size_t(p_arrays)), _first_room(p_first_room) {}
 	int get_count() const { return int(_arrays.size()); }
 
-	// Makes room for p_layers, the first p_filled of which exist. Does so at once if that is little work, or if p_at_once (on another
-	// thread); otherwise only begins, and work() continues.
+	// Makes room for p_layers, the first p_filled of which exist: at once if that is little work or if p_at_once is true (on another
+	// thread); otherwise it only begins, and work() continues.
 	void want_room(int p_layers, int p_filled, bool p_at_once, const MakeImage &p_make);
 	// Replaces a layer.
 	void change(int p_layer, const MakeImage &p_make);

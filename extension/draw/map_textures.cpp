@@ -24,7 +24,7 @@ template <typename T> PackedByteArray texel_bytes(const std::vector<T> &p_texels
 
 } // namespace
 
-// p_layer -1: an empty layer for later use.
+// Returns the image of a layer. p_layer -1: an empty layer for later use.
 Ref<Image> MapTextures::image_of(const MapLayers &p_layers, int p_kind, int p_layer) {
 	static const MapLayer none;
 	const MapLayer &layer = p_layer < 0 ? none : p_layers.get_layer(p_layer);
@@ -46,7 +46,8 @@ GrowingArrays::MakeImage MapTextures::of_layers(const MapLayers &p_layers) {
 	return [&p_layers](int p_kind, int p_layer) { return image_of(p_layers, p_kind, p_layer); };
 }
 
-// Few chunks have ledges, but these take four times the memory of all other channels together, so they have separate layers.
+// Returns what makes the images of ledges. Few chunks have ledges, but these take four times the memory of all other channels together, so
+// they have layers of their own.
 GrowingArrays::MakeImage MapTextures::of_ledges(const MapLayers &p_layers) {
 	return [&p_layers](int, int p_page) {
 		const std::vector<uint8_t> none;

@@ -27,7 +27,7 @@ struct MapBinding {
 
 class MapTextures {
 public:
-	// p_species: whether the field has any.
+	// Begins without layers. p_species: whether the field has any species.
 	explicit MapTextures(bool p_species) : _arrays(p_species ? KINDS : int(SPECIES), 4), _ledges(1, 1) {}
 
 	// Makes all textures at once, for a thread other than the main one. p_room: number of layers to expect.
@@ -40,7 +40,7 @@ public:
 	bool can_work() const { return _arrays.can_work() || _ledges.can_work(); }
 	void work(const MapLayers &p_layers);
 	bool are_made(int p_room) const { return _arrays.get_room() >= std::max(p_room, 1) && !is_growing(); }
-	// Whether bind() would return something else than before.
+	// Returns whether bind() would return something else than before.
 	bool are_new() const { return _are_new; }
 	MapBinding bind(const MapLayers &p_layers);
 	int64_t get_uploaded_bytes() const { return _uploaded + _arrays.get_uploaded_bytes() + _ledges.get_uploaded_bytes(); } // since made

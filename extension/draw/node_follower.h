@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lets an instance of the renderer follow a node. Reads the node in every frame and passes on only what changed: when its world is set, an
-// instance leaves and re-enters the renderer's scene, even if the world is the same.
+// Lets an instance of the renderer follow a node. Reads the node in every frame and passes on only what changed: whenever its world is set,
+// even to the same one, an instance leaves the renderer's scene and enters it again.
 #pragma once
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>

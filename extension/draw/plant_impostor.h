@@ -16,8 +16,7 @@
 
 namespace grass {
 
-// Its pictures are drawn beside the frames: that takes some hundredths of a second, and seconds for a mesh of many large faces. Main
-// thread only.
+// Its pictures are drawn on a thread, in some hundredths of a second, or in seconds for a mesh of many large faces. Main thread only.
 class PlantImpostor {
 public:
 	static constexpr int TEXELS = 128; // along the side of a picture

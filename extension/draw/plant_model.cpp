@@ -26,7 +26,7 @@ constexpr int FACE_STEPS = 4; // parts of a triangle's side; each part counts by
 constexpr float WIDE_ROWS = 0.85f;
 constexpr int TEXTURE_STEPS = 32; // places along each side of a texture at which its mean colour is sampled
 
-// Linear; alpha: share of the texture that is opaque.
+// Returns the mean colour of a texture, linear; alpha: the share of it that is opaque.
 Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor, const String &p_who) {
 	String problem;
 	const Ref<Image> image = read_picture(p_texture.is_valid() ? p_texture->get_image() : Ref<Image>(), problem);
@@ -68,7 +68,7 @@ struct BandSums {
 		reaches.fill(0.0f);
 	}
 
-	// p_places: the corners, in heights; p_colors: their colours, linear.
+	// Adds a triangle. p_places: its corners, in heights; p_colors: their colours, linear.
 	void add(const Vector3 (&p_places)[3], const Color (&p_colors)[3], float p_area) {
 		const float part = p_area / float(FACE_STEPS * FACE_STEPS);
 		for (int i = 0; i < FACE_STEPS; i++) {

@@ -50,7 +50,7 @@ struct PlantReading {
 	godot::String problem; // the reason, and what to do about it
 };
 
-// p_who: begins a message about a texture that is not read; far plants are then as if it were white.
+// Reads a mesh as a plant. p_who: begins the message about a texture that cannot be read; far plants then look as if it were white.
 PlantReading read_plant(const godot::Ref<godot::Mesh> &p_mesh, const godot::String &p_who);
 
 // Returns the mesh for a MultiMesh; its surfaces have no materials.

@@ -39,7 +39,7 @@ void add_texture(const Ref<Texture2D> &p_texture, PictureSurface &r_surface) {
 	r_surface.texture.assign(texels.ptr(), texels.ptr() + 4 * r_surface.texture_width * r_surface.texture_height); // without mipmaps
 }
 
-// Colours as shaders/draw/plant.gdshader shows them.
+// Returns a surface with colours as shaders/draw/plant.gdshader shows them.
 PictureSurface surface_of(const PlantModel::Surface &p_surface) {
 	const PackedVector3Array places = p_surface.arrays[Mesh::ARRAY_VERTEX], normals = p_surface.arrays[Mesh::ARRAY_NORMAL];
 	const PackedVector2Array uvs = p_surface.arrays[Mesh::ARRAY_TEX_UV];

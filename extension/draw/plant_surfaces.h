@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plant's mesh in the form of which the core draws pictures.
+// Brings a plant's mesh into the form from which the core draws pictures.
 #pragma once
 
 #include "core/species/plant_picture.h"

@@ -30,8 +30,8 @@ public:
 	static constexpr int ROOM = 65536;
 
 	static ShaderText text(int p_features, int p_stage); // of the shader for fields with these ShaderFeatures
-	// Sets the plants. p_plants: by species. p_room: the capacity of the MultiMesh for plants within a distance, metres. Uniforms must be
-	// set again afterwards.
+	// Sets the plants. p_plants: by species. p_room: how many plants the MultiMesh must hold up to a distance, metres. Uniforms must be set
+	// again afterwards.
 	void set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float p_distance)> &p_room, int p_features, bool p_indirect,
 			const godot::AABB &p_bounds);
 	// Sets a uniform of the materials. A shader ignores a uniform that it does not have.

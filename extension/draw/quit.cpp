@@ -16,9 +16,9 @@ namespace {
 // Microseconds that an ending game waits for tasks of low priority. Shorter: it may hang. Longer: the user waits for it to end.
 constexpr uint64_t LONGEST_WAIT = 30'000'000;
 
-// When the game ends, the engine wakes its worker threads once. A thread that finds no work then, while tasks of low priority still wait
-// for their turn, keeps sleeping, and the engine waits for it for ever (Godot's issue 117064). Pipelines are such tasks, and a field causes
-// many. So this makes all of them begin earlier; the engine would wait for them anyway.
+// Makes all tasks of low priority begin before the game ends. When it ends, the engine wakes its worker threads once. A thread that finds
+// no work then, while such tasks still wait for their turn, goes on sleeping, and the engine waits for it for ever (Godot's issue 117064).
+// Pipelines are such tasks, and a field causes many. The engine would wait for them anyway.
 void begin_all_tasks() {
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	const Time *time = Time::get_singleton();

@@ -124,10 +124,10 @@ bool is_mobile() {
 	return server->get_current_rendering_method() == String("mobile") && server->get_rendering_device() != nullptr;
 }
 
-// Lets the engine compile a shader. Returns when drawing with it may delay a frame, but can never hang. Tasks begin in the order in which
-// they were added: when the last one runs, all parts of the shader have begun or are done. If the shader were needed earlier, Mobile would
-// wait for the parts while holding a lock that tasks for pipelines need too; if these occupy all threads, no part ever begins (Godot's
-// issue 123060).
+// Lets the engine compile a shader. Returns once drawing with it cannot hang, though it may delay a frame. Tasks begin in the order in
+// which they were added: when the last one runs, all parts of the shader have begun or are done. If the shader were needed earlier, Mobile
+// would wait for the parts while holding a lock that tasks for pipelines need too; if these occupy all threads, no part ever begins
+// (Godot's issue 123060).
 void compile(Shader &p_shader) {
 	p_shader.get_rid(); // the engine parses it and adds a task for each thread
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();

@@ -59,10 +59,10 @@ void drop_hooked_shaders();
 // frames: the renderer then compiles them for every shader that it knows, and breaks one that another thread is making at that moment
 // (Godot 4.6).
 void hold_shader_jobs();
-// Does the same for the first frame with motion vectors. Call it before each frame that may have them.
+// Does the same before the first frame with motion vectors. Call it before each frame that may have them.
 void expect_motion_vectors();
-// Forgets what has not begun of what prepare_shader() began. Call when no field is left, since the game may end now: the engine waits for
-// the jobs' task then, and a job that begins so late waits for others that no longer run (Godot 4.6).
+// Drops the jobs of prepare_shader() that have not begun. Call it when no field is left, since the game may end now: the engine then waits
+// for the jobs' task, and a job that begins so late waits for others that no longer run (Godot 4.6).
 void forget_shader_jobs();
 // Must be called when the library is unloaded.
 void free_shared_shaders();

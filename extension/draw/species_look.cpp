@@ -47,7 +47,7 @@ std::vector<Ref<Image>> images_of(std::span<const SpeciesLook> p_looks) {
 	return images;
 }
 
-// Makes each mipmap of an image show as much of it.
+// Makes each mipmap of an image cover as much as the image does.
 Ref<Image> with_kept_coverage(const Ref<Image> &p_image) {
 	PackedByteArray bytes = p_image->get_data();
 	const std::span<uint8_t> all(bytes.ptrw(), size_t(bytes.size()));

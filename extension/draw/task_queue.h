@@ -25,7 +25,7 @@ public:
 	void want(const void *p_key);
 	// Removes a job that has not begun. Returns false if it has.
 	bool remove(const void *p_key);
-	// Between these calls no job begins; a running one continues.
+	// Let no job begin between these two calls; a running one continues.
 	void hold();
 	void release();
 	// Drops all jobs that have not begun, and returns when none runs any more. Call it when the library is unloaded.

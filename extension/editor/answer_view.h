@@ -12,7 +12,7 @@ class AnswerView {
 public:
 	void create(); // in the editor's window
 	void free();
-	// p_mouse: in p_camera's view, as in its input events.
+	// Shows a text. p_mouse: in p_camera's view, as in its input events.
 	void show(const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, const godot::String &p_text);
 	void hide();
 	godot::String get_text() const { return _panel != nullptr && _panel->is_visible() ? _label->get_text() : godot::String(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The toolbar's menu: what is done to the whole field, and what the brush does by itself. The plugin does it.
+// The toolbar's menu: what acts on the whole field, and what the brush does by itself. The plugin does both.
 #pragma once
 
 #include <godot_cpp/classes/menu_button.hpp>

@@ -12,7 +12,7 @@ namespace grass {
 
 class BrushNumbers {
 public:
-	// p_changed: called with each change of a slider.
+	// Sets p_changed, which is called with each change of a slider.
 	void set_handler(const godot::Callable &p_changed) { _changed = p_changed; }
 	// Adds a slider to p_parent. p_width: the editor's unscaled pixels.
 	void add(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width,

@@ -10,7 +10,7 @@ namespace grass {
 
 class BrushPreview {
 public:
-	// p_painted: what a stroke would paint. A field without a map shows nothing.
+	// Shows the preview. p_painted: what a stroke would paint. A field without a map shows nothing.
 	void show(const PaintedFields &p_painted, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys);
 	void hide();
 	int get_count() const; // number of fields that show it

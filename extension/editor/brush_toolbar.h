@@ -31,9 +31,9 @@ public:
 	godot::Ref<GrassBrush> get_brush() const { return _brush; }
 	bool has_tool() const { return _tools.get_pressed().has_value(); }
 	bool is_asking() const { return _tools.is_asking(); } // whether it explains why there is no grass under the cursor
-	// Whether to bake the ground under the brush, and where something moved.
+	// Returns whether to bake the ground under the brush, and where something moved.
 	bool follows_ground() const { return _menu->is_checked(BrushMenu::FOLLOW); }
-	// Whether to paint all fields under the brush, see painted_neighbours().
+	// Returns whether to paint all fields under the brush, see painted_neighbours().
 	bool paints_neighbours() const { return _menu->is_checked(BrushMenu::NEIGHBOURS); }
 	BrushMenu *get_menu() { return _menu; }
 	void put_tool_down(); // nothing is painted or queried until another tool is chosen

@@ -62,7 +62,7 @@ void BrushToolbar::add_numbers() {
 			Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
 }
 
-// What the tool brings the grass to, in one place for all tools.
+// Adds the number that the tool brings the grass to, in one place for all tools.
 void BrushToolbar::add_target() {
 	constexpr const char *TARGET_TOOLTIP = "The value to which the tool brings the grass.\nCtrl + Shift + [ and ].";
 	_numbers.add(this, BRUSH_TARGET, "", TARGET_TOOLTIP, TARGET);

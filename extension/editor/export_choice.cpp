@@ -9,7 +9,7 @@ namespace grass {
 
 namespace {
 
-// As the engine reads filters: wildcards between commas, with or without res://.
+// Returns whether a path matches filters as the engine reads them: wildcards between commas, with or without res://.
 bool matches(const String &p_path, const String &p_filters) {
 	for (const String &part : p_filters.split(",", false)) {
 		const String filter = part.strip_edges();

@@ -10,11 +10,11 @@ class ExportChoice {
 public:
 	explicit ExportChoice(const godot::Ref<godot::EditorExportPreset> &p_preset) : _preset(p_preset) {}
 
-	// Selected scenes or resources, and what they refer to: the engine leaves out everything else.
+	// Returns whether it is a selection of scenes or resources, with what they refer to: the engine leaves out everything else.
 	bool is_selection() const;
-	// Of a selection. True if the preset itself names a file.
+	// Returns whether the preset of a selection names a file itself.
 	bool has(const godot::String &p_path) const;
-	// True if the preset's filters leave a file out, as its author wants.
+	// Returns whether the preset's filters leave a file out, as its author wants.
 	bool excludes(const godot::String &p_path) const;
 
 private:

@@ -34,7 +34,8 @@ bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &, 
 			preset->get_customized_files().values().has("strip");
 }
 
-// p_path: the file if the resource is a file's main resource, otherwise empty. Returns null to keep the resource as it is.
+// Returns a rule that keeps its mask, or null to keep the resource as it is. p_path: the file if the resource is a file's main resource,
+// otherwise empty.
 Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, const String &p_path) {
 	const GrassFillRule *rule = Object::cast_to<GrassFillRule>(p_resource.ptr());
 	if (rule == nullptr || rule->get_kept_mask().is_valid() || rule->get_mask_state() == GrassFillRule::MASK_STATE_NONE) {

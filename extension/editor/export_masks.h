@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An export for a dedicated server strips pictures (*Strip Visuals*), and with them the masks of rules: grass would grow elsewhere than on
-// the clients. So in such an export the rule itself stores the picture.
+// An export for a dedicated server strips pictures (*Strip Visuals*), and with them the masks of rules: grass would grow in other places
+// than on the clients. So in such an export the rule itself stores the picture.
 #pragma once
 
 #include <godot_cpp/classes/editor_export_platform.hpp> // a virtual method takes one

@@ -18,10 +18,10 @@ class ExtensionFile {
 public:
 	static constexpr char NAME[] = "grass_field.gdextension";
 
-	// Returns false if the engine did not load this library from such a file, or it cannot be read.
+	// Loads the file. Returns false if the engine did not load this library from such a file, or if it cannot be read.
 	bool load();
 	const godot::String &get_path() const { return _path; }
-	// p_architecture: "" if the export names none.
+	// Returns the library for an export. p_architecture: "" if the export names none.
 	NamedLibrary find_library(const godot::PackedStringArray &p_features, const godot::String &p_architecture) const;
 	// Returns the architectures for which an export may need a library, or "" if it names none.
 	static godot::PackedStringArray find_architectures(const godot::PackedStringArray &p_features);

@@ -40,8 +40,8 @@ struct FieldStep {
 	double turn; // rotation of the step's space in the field's space, radians from x towards z
 };
 
-// p_step: in p_space (a transform to global space), at p_level metres. Returns nothing if a brush of that radius does not reach the field,
-// or the ground there is not the field's.
+// Returns the step over a field. p_step: in p_space (a transform to global space), at p_level metres. Returns nothing if a brush of that
+// radius does not reach the field, or if the ground there is not the field's.
 std::optional<FieldStep> step_over(
 		const GrassField &p_field, const Eigen::Isometry3d &p_space, const StrokeStep &p_step, double p_level, double p_radius);
 
@@ -51,13 +51,13 @@ godot::Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes);
 
 class FieldStroke {
 public:
-	// p_bakes: reads the ground under the brush into a new map. p_is_ground: also into any map before the brush paints there, since the
-	// grass and the brush's limits need it. p_world: the world if the field is one of its plots, or null.
+	// Begins a stroke on a field. p_bakes: reads the ground under the brush into a new map. p_is_ground: reads it into any map before the
+	// brush paints there, since the grass and the brush's limits need it. p_world: the world if the field is one of its plots, or null.
 	FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground, GrassWorld *p_world);
 
-	// p_level: of the ground under the cursor, metres above the field.
+	// Applies a step of the brush. p_level: of the ground under the cursor, metres above the field.
 	void step(const MapShape &p_shape, const Brush &p_brush, double p_level, StrokeCosts &r_costs);
-	// Returns nothing if there was no change, or if it is lost with its field.
+	// Returns the changes, or nothing if there was none, or if it was lost with its field.
 	std::optional<MapStep> get_step() const;
 	void cancel();
 

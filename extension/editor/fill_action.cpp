@@ -25,7 +25,7 @@ void mark_edited(const Ref<Resource> &p_resource) {
 	}
 }
 
-// A field without a map gets one with grass everywhere.
+// Fills a field. One without a map gets a map with grass everywhere.
 void fill_own(GrassField &r_field) {
 	GrassField *field = &r_field;
 	change_maps(EditorInterface::get_singleton()->get_editor_undo_redo(), "Fill Grass", { &field, 1 }, nullptr, false,

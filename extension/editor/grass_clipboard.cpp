@@ -30,7 +30,7 @@ void GrassClipboard::copy_circle(const GrassField &p_field, const Eigen::Vector2
 	copy(p_field, p_middle, Eigen::Vector2d::Constant(p_radius), true);
 }
 
-// Without a map grass grows everywhere.
+// Copies an area. Without a map grass grows everywhere.
 void GrassClipboard::copy(const GrassField &p_field, const Eigen::Vector2d &p_middle, const Eigen::Vector2d &p_half, bool p_is_round) {
 	PaintMap map;
 	map.set_base_density(1.0);

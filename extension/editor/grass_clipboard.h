@@ -17,9 +17,10 @@ public:
 	bool has_grass() const { return _area.area() > 0.0; }
 	bool is_of_field() const { return has_grass() && !_area.is_round; }
 	int64_t count_species() const { return _palette.size(); }
-	// Returns the copied species. In another scene than theirs, those that are a part of it are copies, which do not change with it.
+	// Returns the copied species. In another scene than theirs, species that are a part of their scene are copies, which do not change with
+	// it.
 	godot::TypedArray<GrassSpecies> make_palette() const;
-	// Returns the number of species in it that the field does not grow: these are not planted.
+	// Pastes the area. Returns the number of its species that the field does not grow: these are not planted.
 	int paste(const GrassField &p_field, GrassMap &r_map, const Eigen::Vector2d &p_middle) const;
 
 private:

@@ -17,7 +17,7 @@ namespace grass {
 
 namespace {
 
-// A part of another scene is copied, since it would change with that.
+// Returns a copy of a part of another scene, which would change with that scene; anything else as it is.
 Ref<Resource> own_if_foreign(const Ref<Resource> &p_resource) {
 	const Node *root = EditorInterface::get_singleton()->get_edited_scene_root();
 	return root == nullptr || find_foreign_file(p_resource, *root).is_empty() ? p_resource : own_copy(p_resource);
@@ -25,7 +25,7 @@ Ref<Resource> own_if_foreign(const Ref<Resource> &p_resource) {
 
 } // namespace
 
-// Something done to whole fields, or to all plots of a world in memory, as one step of the history.
+// Changes whole fields, or all plots of a world in memory, as one step of the history.
 void GrassEditorPlugin::change_maps(const char *p_name, const MapChange &p_change) {
 	finish_stroke();
 	finish_ground();
@@ -116,7 +116,7 @@ void GrassEditorPlugin::make_selected_unique() {
 	}
 }
 
-// They grow beside the field's own, and the last one is in the hand.
+// Adds the dropped species to the field's own, and selects the last one.
 void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 	GrassField *field = _grass.find_field();
 	if (field == nullptr) {
@@ -154,7 +154,7 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 	_toolbar->take_species(last + 1);
 }
 
-// The brush follows to that field.
+// Adds dropped species to a field, which the brush then paints.
 void GrassEditorPlugin::_species_dropped_on(Object *p_field, const Array &p_species) {
 	GrassField *field = Object::cast_to<GrassField>(p_field);
 	if (field != _grass.find_node()) {

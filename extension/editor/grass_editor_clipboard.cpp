@@ -82,7 +82,7 @@ bool GrassEditorPlugin::clipboard_key(Camera3D *p_camera, const InputEventKey &p
 	return true;
 }
 
-// p_middle: x, z in metres from the selected field's centre.
+// Pastes what was copied. p_middle: x, z in metres from the selected field's centre.
 void GrassEditorPlugin::paste(const Eigen::Vector2d &p_middle) {
 	if (!_grass.may_change([this, p_middle] { paste(p_middle); })) {
 		return;

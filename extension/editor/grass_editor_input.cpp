@@ -66,7 +66,8 @@ int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<I
 	return AFTER_GUI_INPUT_PASS;
 }
 
-// The answer follows the cursor, and the view can be turned as usual; a click selects nothing.
+// Handles input while the toolbar explains places. The answer follows the cursor, and the view can be turned as usual; a click selects
+// nothing.
 int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
 	if (const Ref<InputEventKey> key = p_event; key.is_valid() && key->is_pressed() && key->get_keycode() == KEY_ESCAPE) {
 		_toolbar->put_tool_down();

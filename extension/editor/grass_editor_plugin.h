@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Painting grass in the 3D editor: handles mouse and keys while a GrassField or a GrassWorld is selected. Active as soon as the library is
+// Paints grass in the 3D editor: handles mouse and keys while a GrassField or a GrassWorld is selected. Active as soon as the library is
 // loaded; there is nothing to enable.
 #pragma once
 
@@ -39,16 +39,16 @@ public:
 	bool _handles(godot::Object *p_object) const override;
 	void _edit(godot::Object *p_object) override;
 	void _make_visible(bool p_visible) override;
-	// Called when the editor puts the scene aside, or saves it: the stroke ends and is written to that scene's history, and the ground is
-	// brought up to date.
+	// Ends the stroke, writes it to the scene's history, and brings the ground up to date. The editor calls it when it puts the scene
+	// aside, or saves it.
 	godot::Dictionary _get_state() const override;
 	void _apply_changes() override;
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
-	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`, `left_out`; of the last movement
-	// of the mouse, with ring and steps: `event_us`, CPU microseconds; whether the `ring` is shown, and the number of fields that show a
-	// `preview`. Of ground that follows what moved: `watch_rays` so far and in one frame at most (`watch_most_rays`), how many pieces wait
-	// (`watch_waiting`), and the last look at the scene (`watch_us`).
+	// Returns of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`, `left_out`; of the last
+	// movement of the mouse, with ring and steps: `event_us`, CPU microseconds; whether the `ring` is shown, and the number of fields that
+	// show a `preview`. Of ground that follows what moved: `watch_rays` so far and in one frame at most (`watch_most_rays`), how many
+	// pieces wait (`watch_waiting`), and the last look at the scene (`watch_us`).
 	godot::Dictionary get_statistics() const;
 
 protected:

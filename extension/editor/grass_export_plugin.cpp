@@ -38,7 +38,7 @@ String list_path() {
 	return is_hidden ? "res://.godot/extension_list.cfg" : "res://godot/extension_list.cfg";
 }
 
-// The engine then writes the list itself, and its own replaces ours.
+// Returns whether the export has an extension: then the engine writes the list itself, and its own replaces ours.
 bool packs_an_extension(const ExportChoice &p_choice) {
 	for (const String &path : GDExtensionManager::get_singleton()->get_loaded_extensions()) {
 		if (p_choice.has(path) && !p_choice.excludes(path)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An export of selected scenes leaves out what no scene refers to: the .gdextension, so the game would have no grass, and the plots of
-// worlds, so it would look as if nothing had been painted. This adds both, and says so. Reports what an export still lacks: the library for
-// its platform, the extension, plots.
+// An export of selected scenes leaves out what no scene refers to: the .gdextension, without which the game has no grass, and the plots of
+// worlds, without which nothing looks painted. This plugin adds both, and says so. Reports what an export still lacks: the library for its
+// platform, the extension, plots.
 #pragma once
 
 #include "editor/extension_file.h"

@@ -33,7 +33,7 @@ struct GroundBody {
 
 // Returns the ids of p_root, and of nodes below it, that have such a body: static bodies, and CSG with collision.
 std::vector<uint64_t> find_ground_bodies(godot::Node *p_root);
-// p_before: the body as last read; shapes that did not change are not measured again.
+// Reads a body. p_before: the body as last read; shapes that did not change are not measured again.
 GroundBody read_ground_body(const godot::Node3D *p_node, const GroundBody &p_before);
 
 } // namespace grass

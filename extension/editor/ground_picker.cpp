@@ -42,7 +42,7 @@ bool is_ground_here(const PaintedFields &p_painted, const Eigen::Vector3d &p_pla
 			[&](const GrassField *p_field) { return is_ground_of(*p_field, to_field_of(*p_field) * p_painted.space * p_place, p_margin); });
 }
 
-// The place is on it but for rounding.
+// Returns whether a place is on the field's plane, but for rounding.
 bool is_on_plane(const GrassField &p_field, const Eigen::Vector3d &p_place, double p_margin) {
 	return is_ground_of(p_field, { p_place.x(), 0.0, p_place.z() }, p_margin);
 }

@@ -19,8 +19,8 @@ struct GroundPoint {
 	Eigen::Vector2d place() const { return { position.x(), position.z() }; }
 };
 
-// p_mouse: in the 3D editor's viewport, as in its input events. Returns nothing if the ray meets neither a field nor a body within p_margin
-// metres of one.
+// Returns the ground under the cursor. p_mouse: in the 3D editor's viewport, as in its input events. Returns nothing if the ray meets
+// neither a field nor a body within p_margin metres of one.
 std::optional<GroundPoint> pick_ground(
 		const PaintedFields &p_painted, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 

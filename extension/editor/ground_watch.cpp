@@ -217,7 +217,7 @@ void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now)
 	}
 }
 
-// Ground that the scene would not save is not read.
+// Returns whether the scene would save the ground: otherwise it is not read.
 bool GroundWatch::may_lay(const GrassField &p_field) {
 	const auto foreign = find_foreign(p_field);
 	if (foreign && !std::exchange(_is_told, true)) {

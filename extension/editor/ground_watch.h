@@ -33,7 +33,8 @@ private:
 		T last, baked;
 		bool is_ground = false; // grass was on it at some time, as far as its motion was seen
 	};
-	// Ground to be read; the box of a body that has left it, in the field's space, and the map when it did; what of it has been read.
+	// Ground to be read. If a body has left it: the box of the body, in the field's space, and the map at that time. And what has been read
+	// of it.
 	struct Piece {
 		uint64_t field_id;
 		MapRegion region;

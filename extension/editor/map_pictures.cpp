@@ -70,7 +70,7 @@ bool MapPictures::read(GrassField &r_field) {
 	return true;
 }
 
-// A plot shows the edges of its neighbours, so its map holds them.
+// Copies the edge of a field into a neighbour's map: a plot shows the edges of its neighbours.
 void MapPictures::sew(const GrassField &p_from, const GrassField &p_to) {
 	const MapRegion strip = in_parent(p_from).shared(in_parent(p_to).grown(MapLayers::CHANGE_MARGIN));
 	if (strip.has_area()) {

@@ -11,7 +11,7 @@ namespace grass {
 
 class MapPictures {
 public:
-	// p_world: null for a field of its own.
+	// Begins pictures of a channel. p_world: null for a field of its own.
 	MapPictures(GrassMap::Channel p_channel, const godot::String &p_path, const GrassWorld *p_world) :
 			_channel(p_channel), _path(p_path), _world(p_world) {}
 

@@ -19,13 +19,13 @@ struct MapStep {
 	godot::Vector2i plot = {};
 };
 
-// Changes the maps of these fields, and adds that as one step. p_change returns whether it did anything. p_world: whose plots they are, or
-// null. p_follows: a field without a map that gets one also gets the ground below it.
+// Changes the maps of these fields, and adds that as one step. p_change returns whether it did anything. p_world: the world whose plots
+// they are, or null. p_follows: a field without a map that gets one also gets the ground below it.
 using MapChange = std::function<bool(GrassField &r_field, GrassMap &r_map)>;
 void change_maps(godot::EditorUndoRedoManager *p_history, const godot::String &p_name, std::span<GrassField *const> p_fields,
 		GrassWorld *p_world, bool p_follows, const MapChange &p_change);
 
-// The changes must be done already. p_context: the step goes into the history of its scene. Each map may occur once.
+// Adds changes that are already done. p_context: the step goes into the history of its scene. Each map may occur once.
 void add_map_steps(
 		godot::EditorUndoRedoManager *p_history, const godot::String &p_name, godot::Object *p_context, std::span<const MapStep> p_steps);
 

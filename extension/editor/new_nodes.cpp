@@ -15,7 +15,7 @@ namespace {
 
 const Vector3 FIRST_BOX(2, 2, 2); // metres
 
-// Those of a file have an owner as they enter the tree; to new ones the editor gives it afterwards.
+// Returns whether a node is new. Nodes of a file have an owner when they enter the tree; the editor gives one to new nodes afterwards.
 bool is_new(const Node &p_node) {
 	const GrassExclusion3D *exclusion = Object::cast_to<GrassExclusion3D>(&p_node);
 	const GrassPath3D *path = Object::cast_to<GrassPath3D>(&p_node);

@@ -12,10 +12,10 @@ namespace grass {
 
 class PaintStroke {
 public:
-	// p_bakes: see FieldStroke.
+	// Begins a stroke. p_bakes: see FieldStroke.
 	void begin(const PaintedFields &p_painted, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys,
 			bool p_bakes);
-	// p_painted: the same fields, and for a world also those that have appeared meanwhile.
+	// Paints up to a point. p_painted: the same fields, and for a world also those that have appeared meanwhile.
 	void move(const PaintedFields &p_painted, const GroundPoint &p_point, const StrokeKeys &p_keys);
 	// Ends the stroke and writes it to the history, if it changed anything. Its fields may have been freed by then.
 	void finish(godot::EditorUndoRedoManager *p_history);
@@ -24,7 +24,7 @@ public:
 
 	bool is_active() const { return _brush.is_valid(); }
 	const StrokeCosts &get_costs() const { return _costs; } // of the stroke, also after its end
-	// Returns the names of fields that were left out, since they do not grow the species to plant; also after the stroke's end.
+	// Returns the names of the fields that were left out since they do not grow the species to plant; also after the stroke's end.
 	const godot::PackedStringArray &get_left_out() const { return _left_out; }
 
 private:

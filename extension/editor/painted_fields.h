@@ -33,9 +33,9 @@ bool is_ground_of(const GrassField &p_field, const Eigen::Vector3d &p_place, dou
 // Returns only this field.
 PaintedFields painted_field(GrassField *p_field);
 
-// Returns the field with its neighbours in the edited scene. Leaves out fields that are hidden or locked or would not be saved with the
-// scene; fields that overlap (the centre of one is inside the other, and within the band of its ground), and fields that are turned away by
-// more than FACING, such as walls beside a floor: those are painted one by one.
+// Returns the field with its neighbours in the edited scene. Leaves out fields that are hidden or locked, or that the scene would not save.
+// Also leaves out those that must be painted one by one: fields that overlap (the centre of one is inside the other, and within the band of
+// its ground), and fields that are turned away by more than FACING, such as walls beside a floor.
 PaintedFields painted_neighbours(GrassField *p_chosen);
 
 // Returns the plots of a world that are in memory. Returns nothing if there are none.

@@ -12,7 +12,7 @@ namespace grass {
 
 namespace {
 
-// Loading a scene loads everything that it uses, so this asks its text first. Imported scenes have no worlds.
+// Returns whether a scene may have a folder, by its text: loading a scene loads everything that it uses. Imported scenes have no worlds.
 bool may_have_folder(const String &p_scene) {
 	const String extension = p_scene.get_extension();
 	return extension == "scn" || (extension == "tscn" && FileAccess::get_file_as_string(p_scene).contains("folder = \""));

@@ -42,7 +42,7 @@ bool SizeHandles::_has_gizmo(Node3D *p_node) const {
 	return Object::cast_to<GrassField>(p_node) != nullptr;
 }
 
-// The gizmo has the node's transform with its scale; the field ignores scale.
+// Draws border and handles. The gizmo has the node's transform with its scale; the field ignores scale.
 void SizeHandles::_redraw(const Ref<EditorNode3DGizmo> &p_gizmo) {
 	p_gizmo->clear();
 	const GrassField *field = field_of(p_gizmo);
@@ -74,7 +74,7 @@ Variant SizeHandles::_get_handle_value(const Ref<EditorNode3DGizmo> &p_gizmo, in
 	return field == nullptr ? Vector2() : field->get_parts().settings.get_size();
 }
 
-// Both sides move, since the map is relative to the centre: what was painted stays where it is.
+// Moves both sides, since the map is relative to the centre: what was painted stays where it is.
 void SizeHandles::_set_handle(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t p_handle, bool, Camera3D *p_camera, const Vector2 &p_mouse) {
 	GrassField *field = field_of(p_gizmo);
 	if (field == nullptr || p_camera == nullptr) {

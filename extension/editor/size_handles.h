@@ -16,7 +16,7 @@ public:
 	bool _has_gizmo(godot::Node3D *p_node) const override;
 	godot::String _get_gizmo_name() const override { return "GrassField"; }
 	void _redraw(const godot::Ref<godot::EditorNode3DGizmo> &p_gizmo) override;
-	// Handles 0 and 1 are at the sides along x, 2 and 3 along z.
+	// Returns the name of a handle. 0 and 1 are at the sides along x, 2 and 3 along z.
 	godot::String _get_handle_name(const godot::Ref<godot::EditorNode3DGizmo> &p_gizmo, int32_t p_handle, bool p_secondary) const override;
 	godot::Variant _get_handle_value(
 			const godot::Ref<godot::EditorNode3DGizmo> &p_gizmo, int32_t p_handle, bool p_secondary) const override;

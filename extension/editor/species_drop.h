@@ -10,13 +10,13 @@
 
 namespace grass {
 
-// p_dragged: as the editor's docks provide it. Empty: something else is dragged.
+// Returns the species that are dragged; empty: something else is. p_dragged: as the editor's docks provide it.
 godot::TypedArray<GrassSpecies> find_dragged_species(const godot::Variant &p_dragged);
-// Returns what a field grows that names no species, under the name by which the editor calls it.
+// Returns the species of a field that names none, under the name that the editor gives it.
 godot::Ref<GrassSpecies> make_default_species();
 // Returns the field's species, in the order of their numbers: at least one.
 godot::TypedArray<GrassSpecies> find_grown_species(const GrassField &p_field);
-// Returns a single picture, for a stamp; null: something else is dragged.
+// Returns the single picture that is dragged, for a stamp; null: something else is.
 godot::Ref<godot::Texture2D> find_dragged_picture(const godot::Variant &p_dragged);
 
 } // namespace grass

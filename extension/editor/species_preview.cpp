@@ -23,7 +23,7 @@ Ref<Image> to_image(const std::vector<uint8_t> &p_texels, int p_side) {
 	return Image::create_from_data(p_side, p_side, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(p_texels)));
 }
 
-// On the editor's thread. A script that is a mesh must not be called there.
+// Reads the plant on the editor's thread, where a script that is a mesh must not be called.
 std::shared_ptr<const PlantModel> read_plant_of(const GrassSpecies &p_species) {
 	const Ref<Mesh> mesh = p_species.get_plant_mesh();
 	const bool is_read = mesh.is_valid() && Variant(mesh->get_script()).get_type() == Variant::NIL;

@@ -9,7 +9,7 @@
 
 namespace grass {
 
-// Draws p_plant, the species' mesh; null: its blades, with p_look. Transparent beside them.
+// Draws p_plant, the species' mesh, or if it is null its blades with p_look, on a transparent ground.
 godot::Ref<godot::Image> draw_picture(
 		const GrassSpecies &p_species, const SpeciesLook &p_look, const std::shared_ptr<const PlantModel> &p_plant, int p_side);
 

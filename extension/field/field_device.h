@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which device runs a field, why it is not the graphics device, and what it cannot do there.
+// Decides which device runs a field, and says why it is not the graphics device and what it cannot do there.
 #pragma once
 
 #include "draw/backend.h"

@@ -15,11 +15,12 @@ class FieldForces {
 public:
 	FieldForces(FieldHost &p_host) : _host(p_host) {}
 
-	// Pushes of scripts. Places and velocities are global, p_duration is in seconds: see FORCE_SPEED and others in core/blades/force.h.
+	// Begin pushes of scripts. Places and velocities are global, p_duration is in seconds: see FORCE_SPEED and others in
+	// core/blades/force.h.
 	void blast(const godot::Vector3 &p_place, double p_speed, double p_radius, double p_duration);
 	void push(const godot::Vector3 &p_place, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	AreaWinds &get_areas() { return _areas; }
-	// Returns false unless the air rests until a GrassForce3D comes near. See AreaWinds.
+	// Returns whether the air rests until a GrassForce3D comes near. See AreaWinds.
 	bool find_resting(std::vector<RestingBody> &r_areas) const { return _pushes.empty() && _areas.find_resting(r_areas); }
 	// Advances pushes by a tick, and removes those that are over.
 	void pass(double p_delta);

@@ -55,7 +55,7 @@ Variant FieldHook::get_value(const StringName &p_uniform) const {
 	return uniform != nullptr ? uniform->initial : Variant();
 }
 
-// Only the include's own: a name of ours must not reach the shaders.
+// Hands on only the include's own values: those with a name of ours must not reach the shaders.
 void FieldHook::hand_on(const SetUniform &p_set) const {
 	for (const auto &[name, value] : _values) {
 		if (has(name)) {

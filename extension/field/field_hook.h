@@ -17,7 +17,7 @@ namespace grass {
 
 class FieldHook {
 public:
-	// p_changed runs when the include changes; call compile() then.
+	// Sets the include. p_changed runs when it changes; call compile() then.
 	void set_include(const godot::Ref<godot::ShaderInclude> &p_include, const godot::Callable &p_changed);
 	const godot::Ref<godot::ShaderInclude> &get_include() const { return _include; }
 	void compile(); // the field is drawn without an include that does not compile
@@ -31,7 +31,7 @@ public:
 	godot::Variant get_value(const godot::StringName &p_uniform) const;
 	void hand_on(const SetUniform &p_set) const; // all values
 
-	// The uniforms as properties, hook/NAME. A scene sets them before or after the include.
+	// Treat the uniforms as properties, hook/NAME. A scene sets them before or after the include.
 	static bool is_property(const godot::StringName &p_name);
 	void set_property(const godot::StringName &p_property, const godot::Variant &p_value);
 	godot::Variant get_property(const godot::StringName &p_property) const;

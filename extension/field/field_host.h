@@ -19,7 +19,7 @@ public:
 	// Returns the transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it
 	// equals field_transform().
 	virtual godot::Transform3D drawn_transform() = 0;
-	// Makes the field if there is none yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
+	// Makes the field if there is none yet. Returns false if a script that ran meanwhile freed it: then nothing of it may be used.
 	[[nodiscard]] virtual bool stand() = 0;
 	// Reads the parts of the wanted field that scripts provide: ground, fill, meshes. Returns false if one of them freed the field.
 	[[nodiscard]] virtual bool read_scene() = 0;

@@ -28,8 +28,8 @@ namespace grass {
 inline constexpr Tunable FIELD_SIZE{ "size", "m", 0.1, 16384.0, 0.1, 32.0 };
 // A tile holds 64 blades, so this decides its side: 256 gives 0.5 m. Meadow 150 to 400, lawn 400 to 1500.
 inline constexpr Tunable DENSITY{ "density", "/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
-// Tiles this far outside of the view still cast shadows, whatever the light; those whose shadow a directional light throws into
-// it do anyway. 0: shadows by other lights pop at the picture's edge.
+// Tiles this far outside of the view still cast shadows, whatever the light; tiles whose shadow a directional light casts into the view
+// always do. 0: shadows by other lights pop at the picture's edge.
 inline constexpr Tunable SHADOW_MARGIN{ "shadow_margin", "m", 0.0, 50.0, 0.1, 2.0 };
 // Tiles farther from the camera cast no shadow. 0: none does. Beyond 150 shadow maps are coarser than tiles.
 inline constexpr Tunable SHADOW_DISTANCE{ "shadow_distance", "m", 0.0, 1000.0, 1.0, 60.0 };

@@ -134,7 +134,7 @@ void FieldPicture::set_uniform(const StringName &p_name, const Variant &p_value)
 	}
 }
 
-// p_all: binds all textures, for a new backend. Otherwise it binds only the new ones.
+// Binds the map's textures. p_all: all of them, for a new backend; otherwise only the new ones.
 void FieldPicture::bind_map(bool p_all) {
 	if (p_all || (_parts.map && _parts.map->has_new_textures())) {
 		const MapBinding binding = _parts.map ? _parts.map->bind() : MapBinding();

@@ -49,7 +49,8 @@ public:
 
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
 	const SetUniform &setter() const { return _set; } // set_uniform()
-	// An idle editor, and a game in low processor mode, draw only after something in the rendering server has changed.
+	// Makes the engine draw: an idle editor, and a game in low processor mode, draw only after something in the rendering server has
+	// changed.
 	void request_draw() { set_uniform("tile_size", _parts.field.get_grid().get_tile_size()); }
 	void update_species(); // colours and frequencies
 	void update_quality(); // what the shaders know of it
@@ -63,17 +64,17 @@ public:
 	// Advances the wind. Must be called in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
 	void show_wind_clock(); // after frames in which no camera saw the field
-	// Must be called in each frame of a renderer that adds light in sRGB.
+	// Shows the ambient light. Must be called in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, _set); }
 	void show_suns(const SunMap &p_suns) { _uniforms.set_suns(p_suns, _set); } // see find_sun_map(); in each frame
-	// Must be called in each frame once its cameras are known. p_is_read: something reads motion vectors.
+	// Makes motion vectors right. Must be called in each frame once its cameras are known. p_is_read: something reads motion vectors.
 	void show_motion(bool p_is_read) { _parts.backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(_set_of_blades)); }
 
 	int64_t get_cards_memory() const { return _uniforms.get_cards_memory(); } // bytes
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	// What comes next of the field that was made, in this order. NOTHING: there is no field. ALL: it is shown.
+	// The part of the field that is made next, in this order. NOTHING: there is no field. ALL: it is shown.
 	enum class Part { NOTHING, BACKEND, LOOK, GROUND, PLANTS, UNIFORMS, SPECIES, MAP, COVER, ALL };
 
 	bool has_ledges() const { return _parts.map != nullptr && !_parts.map->get_layers().get_ledge_layers().empty(); }

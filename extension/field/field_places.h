@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds what grows where in a field: converts global places to tiles and grass, and back. Made for one call.
+// Finds what grows at places of a field: converts global places to tiles and grass, and back. Made for one call.
 #pragma once
 
 #include "core/paint/ground_band.h"
@@ -16,7 +16,7 @@ namespace grass {
 
 class FieldPlaces {
 public:
-	// p_transform: of the field; global, without scale. p_band: other places are another field's.
+	// Looks at a field. p_transform: of the field; global, without scale. p_band: places outside of it belong to another field.
 	FieldPlaces(const StandingField &p_standing, const godot::Transform3D &p_transform, const GroundBand &p_band) :
 			_standing(p_standing), _to_world(to_eigen(p_transform)), _band(p_band) {}
 

@@ -27,7 +27,7 @@ struct FieldProperties {
 	double param(FieldParamId p_param) const { return params[size_t(p_param)]; }
 	bool is_other_quality() const; // whether update_quality() has something to do
 	[[nodiscard]] bool update_quality(); // returns whether the game has another level now
-	// Return what is used of a property: scaled by the level of quality. A world scales the pools of its plots itself.
+	// Return the number that is used of a property: scaled by the level of quality. A world scales the pools of its plots itself.
 	double scaled(FieldParamId p_param) const;
 	int64_t scaled_pool() const { return is_streamed ? pool_tiles : quality.scale_pool(pool_tiles); }
 	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Answers the queries of scripts about tiles, blades and the grass at a place: checks their arguments, makes the field if there is none
-// yet, and reads it. Places are global. A tile is named by its column (along x) and row (along z).
+// Answers the queries of scripts about tiles, blades and the grass at a place: checks arguments, makes the field if there is none yet, and
+// reads it. Places are global. A tile is named by its column (along x) and row (along z).
 #pragma once
 
 #include "field/field_life.h"

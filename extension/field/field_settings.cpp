@@ -176,7 +176,7 @@ Color FieldSettings::get_color(int64_t p_index) const {
 	return _properties.colors[size_t(p_index)];
 }
 
-// A field without a terrain texture has shaders without any code for it.
+// Sets the texture. The shaders of a field without one have no code for it.
 void FieldSettings::set_terrain_texture(const Ref<Texture2D> &p_texture) {
 	show_terrain_texture(p_texture, _properties.terrain_colors);
 }
@@ -187,7 +187,7 @@ void FieldSettings::show_terrain_colors(const Ref<Texture2D> &p_colors) {
 	}
 }
 
-// The user's texture takes precedence over the terrain's own.
+// Shows a texture of the terrain. The user's takes precedence over the terrain's own.
 void FieldSettings::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref<Texture2D> &p_colors) {
 	const Ref<Texture2D> before = _properties.find_terrain_texture();
 	(void)replace(_properties.terrain_texture, p_texture);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets those properties of a field that are values: clamps each, warns if it had to, and passes it to what reads it. The node itself sets
+// Sets those properties of a field that are values: clamps each, warns if it had to, and passes it on to its readers. The node itself sets
 // those whose changes it listens to: species, map, fill rule and surface hook.
 #pragma once
 
@@ -49,7 +49,7 @@ public:
 	void set_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture); // null: none
 	godot::Ref<godot::Texture2D> get_terrain_texture() const { return value_of(_properties.terrain_texture); }
 	void show_terrain_colors(const godot::Ref<godot::Texture2D> &p_colors); // unless the user set a texture
-	// p_changed must call compile_hook().
+	// Sets the hook. p_changed must call compile_hook().
 	void set_surface_hook(const godot::Ref<godot::ShaderInclude> &p_include, const godot::Callable &p_changed);
 	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return value_of(_properties.hook.get_include()); }
 	void compile_hook();

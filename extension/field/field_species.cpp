@@ -21,7 +21,7 @@ constexpr double NEAR_ENOUGH = 4.0;
 
 } // namespace
 
-// The same for all fields of these species: it takes megabytes, and milliseconds. Main thread only.
+// Returns the joined patch, which all fields of these species share: it takes megabytes, and milliseconds. Main thread only.
 std::shared_ptr<const Patch> FieldSpecies::find_join(const Joining &p_joining) {
 	static std::vector<std::pair<Joining, std::weak_ptr<const Patch>>> made;
 	std::erase_if(made, [](const auto &p_made) { return p_made.second.expired(); });
@@ -135,7 +135,7 @@ std::vector<SpeciesParams> FieldSpecies::find_mix() const {
 	return mix;
 }
 
-// Of all blades, together 1.
+// Returns the shares of all blades, together 1.
 std::vector<double> FieldSpecies::find_shares() const {
 	std::vector<double> shares;
 	double total = 0.0;

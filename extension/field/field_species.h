@@ -36,10 +36,10 @@ class FieldSpecies {
 public:
 	using List = std::vector<godot::Ref<GrassSpecies>>;
 
-	// p_changed: called when one of them changes.
+	// Sets the list. p_changed: called when one of them changes.
 	void set(const godot::TypedArray<GrassSpecies> &p_species, const godot::Callable &p_changed);
 	godot::TypedArray<GrassSpecies> get() const;
-	// One species without gradient and card: shaders and passes for several are not needed.
+	// Returns whether it is one species without gradient and card: then shaders and passes for several are not needed.
 	bool is_plain() const;
 
 	// Sets how gravity in the field's axes differs from that of level ground, m/s^2: see find_pull(). It changes the patches.

@@ -168,7 +168,7 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 	p_set(HUE_VARIATION.name, float(hue_variation));
 }
 
-// How plants with a mesh look as blades, and where they are.
+// Sets how plants with a mesh look as blades, and where they do.
 void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const SetUniform &p_set) {
 	PackedVector4Array looks, bands;
 	PackedVector3Array reaches;

@@ -17,14 +17,15 @@ namespace grass {
 
 class FieldUniforms {
 public:
-	// Of blades and ground.
+	// Sets all uniforms of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const SetUniform &p_set) const;
 	static void set_soil(const FieldProperties &p_properties, const SetUniform &p_set);
 	static void set_clump(const ClumpParams &p_clump, const SetUniform &p_set);
 	void set_wind(const FieldProperties &p_properties, const SetUniform &p_set) const;
 	// Sets the directions of the field's axes in the world, for the wind. Returns whether they have changed.
 	bool turn(const Eigen::Matrix3d &p_turn);
-	// p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground; p_set_blades: for blades only.
+	// Sets the uniforms of species. p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground;
+	// p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
 			float p_reach, const SetUniform &p_set, const SetUniform &p_set_blades);
 	void set_light(const godot::Vector4 &p_other, const SetUniform &p_set); // see OtherLight
@@ -34,7 +35,7 @@ public:
 	bool keep_wind_clock(const SetUniform &p_set);
 	void join_wind(const FieldUniforms &p_other) { _wind = p_other._wind; } // gusts go on from one field to the other
 
-	// Of blades.
+	// Sets the forces on blades.
 	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const SetUniform &p_set);
 	// Lets the wind, or forces (p_has_forces), blow for p_delta seconds. Returns false if nothing blows.
 	bool blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces);

@@ -74,7 +74,7 @@ ViewCamera view_camera(const Camera3D *p_camera, Viewport *p_viewport, const Eig
 	return view;
 }
 
-// A headset's eyes, as the renderer asks for them: it takes layers, near and far from the camera, and where the eyes are from the headset.
+// Adds a headset's eyes as the renderer finds them: layers, near and far are the camera's, and the headset knows where the eyes are.
 void add_eyes(XRInterface &p_headset, const Camera3D *p_camera, Viewport *p_viewport, const Eigen::Affine3d &p_field,
 		std::vector<ViewCamera> &r_views) {
 	const Vector2 size = p_headset.get_render_target_size();

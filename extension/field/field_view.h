@@ -11,7 +11,7 @@
 namespace grass {
 
 // Returns all cameras that show p_node's world and layers in this frame (the window's, each SubViewport's, a headset's eyes, the editor's
-// views) and the suns whose light it casts shadows of, in the space of p_field, which is at p_transform (orthonormal).
+// views) and the suns in whose light it casts shadows, in the space of p_field, which is at p_transform (orthonormal).
 FieldView find_view(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, const FieldProperties &p_properties,
 		const Field &p_field);
 

@@ -30,7 +30,7 @@ constexpr Tunable TRAMPLE_AMOUNT{ "amount", "", 0.0, 1.0, 0.001, 0.03 };
 // Around a field that is baked as a whole: what its last blades blend with. Metres.
 constexpr double GROUND_BORDER = info_of(MAP_GROUND).texel_size();
 
-// Of the rectangle around it, m^2.
+// Returns the area of the rectangle around a region, m^2.
 double area_of(const MowRegion &p_region) {
 	const MapRegion box = p_region.footprint == nullptr
 			? p_region.rectangle
@@ -194,7 +194,7 @@ void FieldWork::recover(double p_delta) {
 	});
 }
 
-// Of the field, made or not.
+// Returns the ground of the field, made or not.
 MapRegion FieldWork::ground() const {
 	const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);
 	return { -half, half };
@@ -240,7 +240,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const GroundGrid &p_
 	return found;
 }
 
-// p_is_bounded: to RAYS_AREA_MAX, as for scripts.
+// Reads the ground. p_is_bounded: at most RAYS_AREA_MAX, as for scripts.
 int64_t FieldWork::bake(const Rect2 &p_region, int64_t p_mask, bool p_is_bounded) {
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a finite region, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!_host.node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));

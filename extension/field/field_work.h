@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes the grass: a game mows, mends, tramples and paints it and reads in the ground, wheels leave tracks, and time mends it. The
+// Changes the grass: a game mows, tramples, paints and mends it and reads in the ground; wheels leave tracks, and time mends them. The
 // field's map stores all of this. Places are global.
 #pragma once
 
@@ -26,7 +26,7 @@ public:
 	// Returns the square metres, seen from above, on which cut() and others act with this shape; 0 where they refuse it.
 	double find_area(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform) const;
 	CutResult cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
-	// Without a shape, these act on the whole field.
+	// Act on the whole field if there is no shape.
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double trample(const godot::Vector3 &p_global, double p_radius, double p_amount);

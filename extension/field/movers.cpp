@@ -14,7 +14,7 @@ namespace grass {
 
 namespace {
 
-// 0, the id of no world, for a node that is in none.
+// Returns the id of a world; 0, the id of none, for a node that is in none.
 uint64_t id_of(const Ref<World3D> &p_world) {
 	return p_world.is_valid() ? p_world->get_instance_id() : 0;
 }

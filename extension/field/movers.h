@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What bends grass and is reported by no area of the physics server: forces, soft bodies, skeletons. Found once a tick for all fields that
-// rest.
+// Finds, once a tick for all fields that rest, what bends grass without being reported by an area of the physics server: forces, soft
+// bodies, skeletons.
 #pragma once
 
 #include "physics/soft_bodies.h"

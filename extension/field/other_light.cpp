@@ -70,7 +70,7 @@ Vector4 OtherLight::find(Node3D *p_node) {
 	return Vector4(ambient.r, ambient.g, ambient.b, 1);
 }
 
-// As the renderer makes it.
+// Returns the ambient light as the renderer makes it.
 Color OtherLight::_ambient(const Ref<Environment> &p_environment) {
 	const Environment::AmbientSource source = p_environment->get_ambient_source();
 	const Environment::BGMode background = p_environment->get_background();

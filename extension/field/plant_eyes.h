@@ -14,7 +14,7 @@ namespace grass {
 
 class PlantEyes {
 public:
-	// Must be called once a tick. p_node: the field, at p_transform (orthonormal). p_tracker: knows the bodies near it.
+	// Returns the eyes. Must be called once a tick. p_node: the field, at p_transform (orthonormal). p_tracker: knows the bodies near it.
 	std::vector<PlantEye> find(const godot::VisualInstance3D &p_node, const godot::Transform3D &p_transform, const BodyTracker &p_tracker);
 
 private:

@@ -23,13 +23,13 @@ Node3D *node_with(uint64_t p_id) {
 	return p_id == 0 ? nullptr : Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
 }
 
-// Null if the game has put the node elsewhere meanwhile: it is the game's then.
+// Returns a node, or null if the game has put it elsewhere meanwhile: then it belongs to the game.
 Node3D *unowned_with(uint64_t p_id) {
 	Node3D *node = node_with(p_id);
 	return node != nullptr && node->get_parent() == nullptr ? node : nullptr;
 }
 
-// As its mesh is drawn, but upright.
+// Returns the transform of a plant: as its mesh is drawn, but upright.
 Transform3D transform_of(const StandingScene &p_plant, float p_scale) {
 	const real_t x = std::cos(p_plant.angle) * p_scale, z = std::sin(p_plant.angle) * p_scale;
 	return Transform3D(Basis(Vector3(x, 0, z), Vector3(0, p_scale, 0), Vector3(-z, 0, x)), to_godot(p_plant.root));
@@ -247,7 +247,7 @@ bool PlantNodes::show(const StandingScene &p_plant, const Scene &p_scene, float 
 	return outlives(_host.node(), [&] { _host.node().emit_signal("plant_node_appeared", node, p_plant.species, p_plant.blade); });
 }
 
-// The signal comes first, while the node is still there.
+// Takes a plant's node away. The signal comes first, while the node still exists.
 bool PlantNodes::hide(BladeNumber p_blade) {
 	const auto left = _shown.extract(p_blade);
 	Node3D *node = left.empty() ? nullptr : node_with(left.mapped().node);
@@ -259,7 +259,7 @@ bool PlantNodes::hide(BladeNumber p_blade) {
 			store(shown, find_holder());
 }
 
-// A node that the game has put elsewhere is the game's.
+// Stores a node for another plant. One that the game has put elsewhere belongs to the game.
 bool PlantNodes::store(const Shown &p_shown, Node3D *p_holder) {
 	Node3D *node = node_with(p_shown.node), *holder = p_holder;
 	if (node == nullptr || holder == nullptr || node->get_parent() != holder) {

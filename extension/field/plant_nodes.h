@@ -21,18 +21,18 @@ namespace grass {
 
 class PlantNodes {
 public:
-	// The host's node emits plant_node_appeared and plant_node_leaving.
+	// Begins without nodes. The host's node emits plant_node_appeared and plant_node_leaving.
 	explicit PlantNodes(FieldHost &p_host) : _host(p_host) {}
 	~PlantNodes();
 
 	// Returns whether update() has anything to do for these species.
 	bool is_used(const StandingField &p_standing) const;
-	// Once a tick: plants near eyes get their nodes, and others lose them, a few in each tick. p_tracker: knows the bodies near the field.
-	// Returns false if a script freed the field.
+	// Gives plants near eyes their nodes, and takes those of others away, a few in each tick. Must be called once a tick. p_tracker: knows
+	// the bodies near the field. Returns false if a script freed the field.
 	[[nodiscard]] bool update(StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker);
 	// Must be called while the field leaves the tree: no plant has a node then. Returns false if a script freed the field.
 	[[nodiscard]] bool leave();
-	// Must be called once the field has left: the tree does not let go of its nodes before. Returns false if a script freed the field.
+	// Must be called once the field has left the tree, which does not release its nodes before. Returns false if a script freed the field.
 	[[nodiscard]] bool put_away();
 	bool is_waiting() const { return !_left.empty(); } // for put_away()
 

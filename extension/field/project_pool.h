@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many tiles all fields of the project together may have awake, by a project setting and the level of quality. Main thread.
+// The number of tiles that all fields of the project together may have awake, by a project setting and the level of quality. Main thread.
 #pragma once
 
 #include "core/tiles/pool_budget.h"

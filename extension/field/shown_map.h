@@ -14,12 +14,12 @@ namespace grass {
 
 class ShownMap {
 public:
-	// Of no map yet, for a field at p_place.
+	// Begins without a map, for a field at p_place.
 	explicit ShownMap(const MapPlace &p_place) : _layers(p_place), _textures(p_place.has_species) {}
 	// Lays out all of p_map at once, on another thread than the frames'. Without p_with_textures the field makes them.
 	void prepare(const PaintMap &p_map, bool p_with_textures);
-	// Returns what shows p_map on a field from now on: p_prepared, in which only what p_map has changed since then waits to be laid out. If
-	// it is null, or was prepared for another field, all of p_map waits.
+	// Returns what shows p_map on a field from now on: p_prepared, in which only the changes of p_map since then wait to be laid out. If it
+	// is null, or was prepared for another field, all of p_map waits.
 	static std::unique_ptr<ShownMap> make(
 			const godot::Ref<GrassMap> &p_map, const MapPlace &p_place, std::unique_ptr<ShownMap> p_prepared = nullptr);
 
@@ -37,7 +37,7 @@ public:
 	MapLayers::Changes update(const std::function<bool()> &p_go_on);
 	// Makes a piece of that, or of the textures, for a map that is not shown yet.
 	void work();
-	// Whether a worker thread makes textures, and nothing else is to be done before they are there.
+	// Returns whether a worker thread makes textures, and nothing else is left to do until they are ready.
 	bool is_waiting_for_thread() const { return get_waiting() == 0 && _textures.is_growing() && !_textures.can_work(); }
 	bool is_growing() const { return _textures.is_growing(); }
 	bool has_new_textures() const { return _textures.are_new(); } // bind() returns something else than the last time

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the Compatibility renderer's sky sends to level ground, computed from its material.
+// The light of the Compatibility renderer's sky on level ground, computed from its material.
 #pragma once
 
 #include <godot_cpp/classes/image.hpp>

@@ -70,10 +70,9 @@ public:
 	// null without a map.
 	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
 
-	// Until the next call: shows and simulates everything, as a server does, whatever cameras see, and takes over changes of the map at
-	// once.
+	// Sets whether to show and simulate everything, as a server does, whatever cameras see, and to take over changes of the map at once.
 	void set_whole(bool p_is_whole) { _is_whole = p_is_whole; }
-	// Sets how many tiles may be awake, and what ticks read of the properties if that is new (else null), as a record has them.
+	// Sets how many tiles may be awake and, if it is not null, what ticks read of the properties, as a record has them.
 	void replay(int p_slots, const FieldParams *p_new);
 	FieldParams find_params() const; // as the properties have them
 	uint64_t hash_blades() const { return stands() ? _parts.backend->hash_blades() : 0; } // 0: unknown
@@ -81,7 +80,7 @@ public:
 	// Begins a tick; tick() then applies the bodies' motion. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _parts.field.resume(); }
-	// Returns true if blades moved. p_params: of find_params().
+	// Simulates a tick. Returns true if blades moved. p_params: of find_params().
 	bool tick(const FieldParams &p_params, std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta,
 			const ParallelFor &p_parallel_for);
 	// Must be called in each frame before FieldPicture::show_motion(). See Backend.
@@ -89,8 +88,8 @@ public:
 	// Simulates these blades, even if no camera needs them, for a while.
 	void ask(std::span<const BladeNumber> p_blades);
 	void read_asked(); // reads the blades that scripts query
-	// p_is_visible: the node is visible. Returns true once after the field was made, as soon as more tiles are in view than it has room
-	// for.
+	// Draws a frame. p_is_visible: the node is visible. Returns true once after the field was made, as soon as more tiles are in view than
+	// it has room for.
 	bool draw(const FieldView &p_view, bool p_is_visible);
 	bool is_crowded() const { return _is_crowded; }
 	// Return whether `simulation_budget` does nothing since the device measures no times; the second once, as soon as this is known.
@@ -104,7 +103,7 @@ public:
 	const Field &get_field() const { return _parts.field; }
 	Backend *get_backend() const { return _parts.backend.get(); } // null: there is no field
 	const std::vector<GrownSpecies> &get_species() const { return _parts.species; }
-	// Before there is a field, returns the value of the one that the properties describe.
+	// Return, before there is a field, the value of the one that the properties describe.
 	TileGrid get_grid() const { return stands() ? _parts.field.get_grid() : _parts.properties.grid(); }
 	godot::AABB get_bounds() const;
 	void measure_time(); // starts measuring, whatever the property says

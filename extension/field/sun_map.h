@@ -22,7 +22,7 @@ struct SunMap {
 	bool operator==(const SunMap &) const = default;
 };
 
-// Returns the maps that have p_node's shadows. If there are more suns without them than shaders know, none has them.
+// Returns the shadow map of the suns on p_node. If more suns have none of its shadows than shaders can know, it has none at all.
 SunMap find_sun_map(const godot::GeometryInstance3D *p_node);
 
 } // namespace grass

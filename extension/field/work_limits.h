@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The most that one call of a script does. Beyond it the call does nothing but print an error, since it would stop the game for seconds.
-// Each limit is a constant of the class by the same name.
+// The most that one call of a script does. A call for more does nothing but print an error, since it would stop the game for seconds. Each
+// limit is a constant of the class by the same name.
 #pragma once
 
 #include <cstdint>

@@ -91,7 +91,7 @@ void CompileQueue::make(Pipeline &r_pipeline, bool p_is_worker) {
 			origin_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
 }
 
-// The CPU has the fields that need a refused pass, and drivers take seconds for others that only these would use.
+// Returns whether only fields with a refused pass would use this one: the CPU has these fields, and a driver would take seconds for it.
 bool CompileQueue::is_useless(const PassCode &p_code) {
 	std::lock_guard lock(_mutex);
 	return std::ranges::any_of(

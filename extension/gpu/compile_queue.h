@@ -41,7 +41,7 @@ struct PassCode {
 
 	PassKey key() const { return { spirv.data(), method, tiles }; }
 	bool changes_results() const { return order != PassOrder::MANY; }
-	// Whether each field on the device needs it, so that no other pass is used once it is refused.
+	// Returns whether each field on the device needs it, so that no other pass is used once it is refused.
 	bool is_everybodys() const { return order == PassOrder::CULL || order == PassOrder::GATHER; }
 };
 
@@ -65,7 +65,7 @@ public:
 	// Returns the pipeline of p_code. The first call queues it for a worker thread, which compiles one pipeline after the other, beginning
 	// with those that fields wait for.
 	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Returns when the pipeline is done: compiles it here, unless the worker thread has begun it. Use it for passes that compile in
+	// Compiles the pipeline here, unless the worker thread has begun it, and returns when it is done. Use it for passes that compile in
 	// milliseconds and cannot wait for the worker, which may be compiling another pass for seconds.
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call it on the render thread when the library is unloaded.

@@ -33,7 +33,7 @@ public:
 	void allocate(int64_t p_bytes);
 	// Allocates p_bytes if the buffer has another size.
 	void resize(int64_t p_bytes);
-	// Becomes r_other, and that becomes this one. Keeps the first p_kept parts of p_part bytes, and moves others from one place to another.
+	// Swaps with r_other. Keeps the first p_kept parts of p_part bytes, and moves others from one place to another.
 	void swap_parts(GpuBuffer &r_other, int64_t p_part, int64_t p_kept, std::span<const SlotMove> p_moves);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the uploaded bytes.
@@ -78,7 +78,7 @@ public:
 	void free();
 	bool is_created() const { return _source != nullptr; }
 	bool is_ready();
-	// Returns when the pass is ready, or the driver has refused it.
+	// Waits until the pass is ready, or the driver has refused it.
 	void finish() { CompileQueue::get().finish(*_source); }
 	// Returns true if its bindings changed since its last dispatch.
 	bool has_changed() const { return _changed; }

@@ -54,7 +54,7 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 		is_variant, device_limits().has_quick_arrays, is_variant ? std::optional(all_kinds) : std::nullopt };
 }
 
-// If it is refused, all blades of awake tiles are simulated.
+// Returns the code of join. If it is refused, all blades of awake tiles are simulated.
 PassCode join_code(const PassKind &p_kind) {
 	const SpirvCode &code = p_kind.species ? shader::JOIN_GRASS_SPECIES_SPIRV : shader::JOIN_SPIRV;
 	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, GRASS_TILES_ONE, true };

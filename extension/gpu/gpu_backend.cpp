@@ -61,7 +61,7 @@ bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	return has_passes && has_plants && prepare_patch(p_setup.patch);
 }
 
-// Some megabytes.
+// Makes the texture of the next field's patch: some megabytes.
 bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
 	if (p_patch == _setup.patch || p_patch == _next_patch || p_patch->is_empty()) {
 		return true;

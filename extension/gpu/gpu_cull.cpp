@@ -31,7 +31,7 @@ void GpuCull::create(const Ref<Texture2DRD> &p_drawn) {
 	_cull.create(CULL_CODE, has_shader_workers() ? GpuPass::Compile::LATER : GpuPass::Compile::NOW);
 }
 
-// With spare room, so that a growing field can usually keep it.
+// Begins with another field. Buffers have spare room, so that a growing field can usually keep them.
 void GpuCull::set_field(const FieldSetup &p_setup) {
 	_is_changed = true;
 	_tiles = p_setup.grid.get_tile_count();

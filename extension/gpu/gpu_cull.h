@@ -18,7 +18,7 @@ class GpuCull {
 public:
 	explicit GpuCull(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
 
-	// p_drawn: receives the texture of the drawn tiles.
+	// Creates the passes. p_drawn: receives the texture of the drawn tiles.
 	void create(const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Begins with another field, or with one of another size. Keeps buffers that fit.
 	void set_field(const FieldSetup &p_setup);
@@ -38,7 +38,7 @@ public:
 			const void *p_owner);
 
 	int64_t get_memory_usage() const; // bytes
-	// p_multimeshes: frees their command buffers too, since the engine never does (seen in 4.6).
+	// Frees everything. p_multimeshes: frees their command buffers too, since the engine never does (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:

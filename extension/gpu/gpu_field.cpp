@@ -52,7 +52,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	pool_changed();
 }
 
-// With as many slots as before, tiles have only come to rest.
+// Changes the number of slots. If it is the same as before, tiles have only come to rest.
 void GpuField::resize_pool(int p_slots, std::span<const SlotMove> p_moves, PoolRoom *p_room) {
 	for (const SlotMove &move : p_moves) {
 		const int32_t entry = move.to == GRASS_NO_SLOT ? 0 : move.to + 1; // as simulate writes it

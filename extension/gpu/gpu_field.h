@@ -14,7 +14,7 @@ namespace grass {
 class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)), _cull(_report) {}
-	// p_patch: the renderer's patch texture. p_pool, p_drawn: receive the textures of the pool and of the drawn tiles.
+	// Creates the field. p_patch: the renderer's patch texture. p_pool, p_drawn: receive the textures of the pool and of the drawn tiles.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
@@ -23,18 +23,18 @@ public:
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves, PoolRoom *p_room);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
-	// Poses blades that are drawn from now on. p_slots, p_step: see Simulator::join().
+	// Gives blades that are drawn from now on their poses. p_slots, p_step: see Simulator::join().
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step);
 	// Runs one frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
-	// These do what GpuPool's and GpuCull's functions of these names do. mix() must be called before draw().
+	// Do what GpuPool's and GpuCull's functions of these names do. mix() must be called before draw().
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before) { _pool.set_motion(p_before); }
 	void set_between(bool p_is_between);
 	void mix(float p_share);
 	void set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles) { _cull.set_cover(p_first, p_tiles); }
 	KnotReader &get_reader() { return _reader; }
-	// p_multimeshes: frees their command buffers too, since the engine never does (seen in 4.6).
+	// Frees everything. p_multimeshes: frees their command buffers too, since the engine never does (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:

@@ -55,7 +55,7 @@ void GpuPool::take(PoolRoom &r_room, std::span<const SlotMove> p_moves) {
 	_used_rows = kept;
 }
 
-// Each texture is shown before the old one is freed, since what shows it has a view of that.
+// Takes over textures. Each is shown before the old one is freed, since what shows it has a view of the old one.
 void GpuPool::take_textures(PoolRoom &r_room, int p_kept, std::span<const SlotMove> p_moves) {
 	const RID old = std::exchange(_texture, r_room.take_rows(Rows::NOW));
 	move_rows(old, _texture, p_kept, p_moves);

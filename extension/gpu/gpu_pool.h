@@ -14,7 +14,7 @@ namespace grass {
 
 class GpuPool {
 public:
-	// p_shown: receives the texture that the picture reads.
+	// Creates the pool. p_shown: receives the texture that the picture reads.
 	void create(const godot::Ref<godot::Texture2DRD> &p_shown);
 	// Starts without slots, for the blades of a field with a map or not, with several species or not.
 	void start(bool p_is_mapped, bool p_has_species);
@@ -40,7 +40,7 @@ public:
 	// Must be called at the beginning of a frame.
 	void begin_frame();
 
-	// p_before: receives a texture of where the last drawn frame showed the blades; null: nothing reads motion vectors.
+	// Sets p_before, which receives a texture of where the last drawn frame showed the blades; null: nothing reads motion vectors.
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
 	// Sets whether frames between two ticks show a mix of their steps; if so, mix() must be called.
 	void set_between(bool p_is_between);

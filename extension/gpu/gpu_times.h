@@ -11,7 +11,7 @@ class Stopwatch {
 public:
 	enum Pass { SIMULATE, CULL };
 
-	// p_owner: the object that passes itself to report_gpu_times().
+	// Begins to measure. p_owner: the object that passes itself to report_gpu_times().
 	Stopwatch(bool p_measure, Pass p_pass, const void *p_owner);
 	~Stopwatch();
 

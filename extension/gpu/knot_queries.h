@@ -15,7 +15,7 @@ class KnotQueries {
 public:
 	explicit KnotQueries(FieldJobs &p_jobs);
 
-	// These do what Backend's functions of these names do. p_step: the newest.
+	// Do what Backend's functions of these names do. p_step: the newest.
 	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades);
 	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades);
 	void read_asked(const Backend::SlotOf &p_slot_of, uint64_t p_step);

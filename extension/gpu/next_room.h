@@ -13,11 +13,11 @@ class NextRoom {
 public:
 	~NextRoom() { drop(); }
 
-	// Begins to make memory for p_slots slots; 0: none. Must be called in each tick. Returns true once exactly that many are there.
+	// Begins to make memory for p_slots slots; 0: none. Must be called in each tick. Returns true once exactly that many are ready.
 	bool prepare(int p_slots, const PoolRoom::Kind &p_kind);
-	// Returns the memory for p_slots slots, or null if that is not there.
+	// Returns the memory for p_slots slots, or null if it is not ready.
 	std::shared_ptr<PoolRoom> take(int p_slots);
-	// Frees what is there, and what is being made, on the render thread.
+	// Frees what is ready, and what is being made, on the render thread.
 	void drop();
 
 private:

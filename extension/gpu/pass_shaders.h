@@ -23,7 +23,7 @@ public:
 		From from;
 	};
 
-	// p_is_worker: the caller is the worker thread, which may use files.
+	// Makes a shader. p_is_worker: the caller is the worker thread, which may use files.
 	Made make(const PassCode &p_code, bool p_is_worker);
 	// Does the same without the files.
 	Made translate(const PassCode &p_code, bool p_is_worker);

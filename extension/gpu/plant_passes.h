@@ -35,7 +35,7 @@ struct PlantTarget {
 class PlantPasses {
 public:
 	static const PassCode &code(bool p_is_mapped); // of a field with or without a map
-	// p_setup: must have several species; it is not read if there are no targets.
+	// Sets the field and its plants. p_setup: must have several species; it is not read if there are no targets.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }
 	// Sets the share of their distances up to which plants are drawn with a mesh.
@@ -59,7 +59,7 @@ public:
 	// Counts the plants with room, and those without.
 	static void count(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
 	int64_t get_memory_usage() const { return _mix.size() + _counts.size(); }
-	// Also frees the MultiMeshes' command buffers, since the engine never does (seen in 4.6).
+	// Frees everything, the MultiMeshes' command buffers too, since the engine never does (seen in 4.6).
 	void free();
 
 private:

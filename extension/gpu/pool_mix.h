@@ -14,10 +14,10 @@ class PoolMix {
 public:
 	~PoolMix() { free(); }
 
-	// p_pool has p_slots rows. The mix begins as a copy of its first p_rows, those in use.
+	// Creates the mix of p_pool, which has p_slots rows. It begins as a copy of the first p_rows, those in use.
 	void create(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots, int p_rows);
-	// p_pool has another number of rows now, that of r_room. Rows keep what they show, as for move_rows(). p_show: shows get_shown() in
-	// place of the old texture, before that is freed.
+	// Follows p_pool, which has another number of rows now, that of r_room. Rows keep what they show, as for move_rows(). p_show: shows
+	// get_shown() in place of the old texture, before that is freed.
 	void resize(const godot::RID &p_pool, const godot::RID &p_sampler, PoolRoom &r_room, int p_kept, std::span<const SlotMove> p_moves,
 			const std::function<void()> &p_show);
 	void free();

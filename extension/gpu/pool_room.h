@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The memory of a number of slots on the device. A driver takes milliseconds to make much of it, so it can be made on any thread, beside
-// the frames. Everything else must be called on the render thread, the end of its life too.
+// the frames. Everything else must be called on the render thread, the destructor too.
 #pragma once
 
 #include "gpu/device.h"
@@ -23,7 +23,7 @@ public:
 	PoolRoom &operator=(const PoolRoom &) = delete;
 
 	int get_slots() const { return _slots; }
-	// Returns a texture that is the caller's from now on. One that its kind does not have is made now.
+	// Returns a texture, which belongs to the caller from now on. One that its kind does not have is made now.
 	godot::RID take_rows(Rows p_rows);
 
 	// Sets all buffers to zeros.

@@ -16,7 +16,7 @@ inline constexpr int64_t POOL_ROW_BYTES = POOL_TEXTURE_WIDTH * 8;
 
 using TextureUsage = godot::BitField<godot::RenderingDevice::TextureUsageBits>;
 
-// p_data: the texels; if empty, the contents are undefined.
+// Makes a texture. p_data: the texels; if empty, the contents are undefined.
 godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
 		const godot::TypedArray<godot::PackedByteArray> &p_data = {});
 // The textures that have a row for each slot: of the last step; as the last frame showed it; of the step before; the mix of both steps.
@@ -25,7 +25,7 @@ inline constexpr int ALL_ROWS = 4;
 // Makes such a texture, whose contents are undefined; on any thread.
 godot::RID make_rows(Rows p_rows, int64_t p_slots);
 void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
-// Copies the first p_kept rows, and others as p_moves says, from rows that the new ones replace.
+// Copies rows into those that replace them: the first p_kept, and others as p_moves says.
 void move_rows(const godot::RID &p_from, const godot::RID &p_to, int p_kept, std::span<const SlotMove> p_moves);
 // Shows p_new instead of p_old, and frees p_old.
 void replace_texture(const godot::Ref<godot::Texture2DRD> &p_shown, const godot::RID &p_old, const godot::RID &p_new);

@@ -2,8 +2,8 @@
 // Passes jobs from the main thread to the render thread, and results back, in both of the engine's thread models: in the default one post()
 // runs the job at once; in the separate one the render thread runs it later, in order.
 //
-// The engine keeps what its device is given until a frame ends: commands, uploads, freed buffers, reads. It ends the game when reads take
-// more than its staging buffer has (128 MB). A minimised window draws no frames while ticks go on, so this queue bounds all of it: where no
+// Until a frame ends, the engine keeps what its device is given: commands, uploads, freed buffers, reads. It ends the game when reads take
+// more than its staging buffer has (128 MB). A minimised window draws no frames while ticks go on, so this queue bounds all of it. Where no
 // frame ends, it has the device carry out a batch of some ticks and waits for it (`UNDRAWN_TICKS`); and reads have a limit of bytes.
 #pragma once
 
@@ -35,7 +35,7 @@ public:
 	// Queues a job, on any thread. Capture what the job needs by value or by shared_ptr.
 	void post(Job p_job);
 	// Reads a buffer without a stall; render thread only. p_receiver runs on the render thread, about two frames later. Returns false, and
-	// reads nothing, if the reads under way take too much already: try again in a later batch.
+	// reads nothing, if the reads under way already take too much: try again in a later batch.
 	bool read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);
 	// Returns the number of the batch, which the device carries out as a whole: a drawn frame, or some ticks without one. Ticks whose
 	// results arrive by frame should request them once in each batch. Render thread only.

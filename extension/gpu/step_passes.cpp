@@ -83,7 +83,7 @@ GpuPass &StepPasses::find(SlotPass p_pass, bool p_many) {
 	return pass.is_ready() ? pass : own(SlotPass::PLAIN);
 }
 
-// The passes that take longest begin first, so that little is left to do when the last one ends.
+// Dispatches the passes of a step. Those that take longest begin first, so that little is left to do when the last one ends.
 void StepPasses::dispatch(const StepRecords &p_records, const Uploaded &p_uploaded) {
 	struct Work {
 		SlotGroups groups;

@@ -13,7 +13,7 @@ namespace grass {
 
 class StepPasses {
 public:
-	// p_bind: binds what every pass reads of the field, but for the buffers of a step.
+	// Begins without passes. p_bind: binds what every pass reads of the field, except for the buffers of a step.
 	explicit StepPasses(std::function<void(GpuPass &)> p_bind) : _bind(std::move(p_bind)) {}
 
 	// Makes the passes of a field of this kind. Those for crowds and for many tiles are made when they are first needed.

@@ -21,7 +21,7 @@ struct StepRecords {
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
 
-	// p_energies: see choose_passes(). p_kind: of the field.
+	// Copies a step. p_energies: see choose_passes(). p_kind: of the field.
 	StepRecords(const StepInput &p_input, std::span<const float> p_energies, const PassKind &p_kind);
 
 	uint32_t count_groups() const; // workgroups of all passes

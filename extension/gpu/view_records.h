@@ -23,7 +23,7 @@ struct FieldMultiMeshes {
 	uint32_t picture_capacity, shadow_capacity; // instances
 };
 
-// p_levels, p_surfaces: the levels that tiles can have, and those that meshes have surfaces for.
+// Returns the records of a frame. p_levels, p_surfaces: the levels that tiles can have, and those that meshes have surfaces for.
 ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup, LevelSet p_levels, LevelSet p_surfaces);
 
 } // namespace grass

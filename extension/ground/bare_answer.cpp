@@ -99,7 +99,7 @@ String standing_words(const BareAnswer &p_answer) {
 	return vformat("Grass of %d cm grows here", percent(p_answer.height));
 }
 
-// p_rule: that fills the map; null: none.
+// Returns the words of a cause. p_rule: the one that fills the map; null: none.
 Words words_of(const BareCause &p_cause, const PaintMap &p_map, const FillRule *p_rule, FieldFiller &r_filler) {
 	switch (p_cause.kind) {
 		case BareKind::MAP:

@@ -54,7 +54,7 @@ struct BareAnswer {
 	bool is_still = false; // nothing can bend it: the pool is full, or the field is not simulated
 };
 
-// p_place: global. p_camera: null: for no particular camera. p_other: another field whose ground is there, or null.
+// Explains a place. p_place: global. p_camera: null: for no particular camera. p_other: another field whose ground is there, or null.
 BareAnswer explain_place(const godot::GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
 		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const godot::Vector3 &p_place,
 		const godot::Camera3D *p_camera, godot::Node3D *p_other);

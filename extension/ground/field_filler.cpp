@@ -53,7 +53,7 @@ template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillR
 	return true;
 }
 
-// p_chunks: the most to fill; negative: all of them.
+// Fills waiting chunks. p_chunks: the most to fill; negative: all of them.
 bool FieldFiller::work(const Ref<GrassMap> &p_map, int p_chunks) {
 	FillResult result;
 	if (!change(p_map, result, [&](PaintMap &r_map) { return _state.work(r_map, p_chunks, run_parallel); })) {
@@ -133,7 +133,7 @@ Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
 	return Object::cast_to<Node3D>(ObjectDB::get_instance(_gatherer.get_node_of(p_obstacle)));
 }
 
-// A script of a mesh may take the map, the rule or the field away: then there is nothing to fill.
+// Reads what the rule needs. A script of a mesh may take the map, the rule or the field away: then there is nothing to fill.
 bool FieldFiller::look(const Place &p_place) {
 	_has_changed = false;
 	_revision = scene_revision();

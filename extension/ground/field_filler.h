@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keeps a map filled by a rule, or without one clear of the scene's GrassExclusion3D and GrassPath3D: spread over frames, and only where
-// something changed.
+// Keeps a map filled by a rule or, without one, clear of the scene's GrassExclusion3D and GrassPath3D. Works over several frames, and only
+// where something changed.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -38,7 +38,7 @@ public:
 	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
 	bool is_live() const { return _is_live; }
 	bool has_live_rule() const { return _rule.is_valid() && _is_live; }
-	// Returns whether a map has to be filled. Without a rule: once a node clears or plants some of p_place.
+	// Returns whether a map must be filled: without a rule, once a node clears or plants some of p_place.
 	bool is_needed(const Place &p_place);
 	bool may_fill() const; // start() or update() may have something to do in the next frames
 	bool is_set() const { return _state.is_set(); } // has begun to fill
@@ -69,7 +69,7 @@ public:
 
 	// Reads the meshes that the rule needs, which may be scripts. Must be called before gather().
 	[[nodiscard]] bool read_meshes(const Place &p_place);
-	// What is filled by, and what it needs now; empty if the map is not filled, and outside of the tree.
+	// The rule that fills the map, and what it needs now; empty if the map is not filled, and outside of the tree.
 	struct Gathered {
 		FillRule rule;
 		FillSources sources;

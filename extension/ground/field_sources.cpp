@@ -144,7 +144,8 @@ bool FieldSources::is_map_bare() const {
 			!map->get_map().uses(MAP_DENSITY);
 }
 
-// The editor reads a node's warnings only when notified, and then redraws the whole scene tree.
+// Notifies the editor when the map becomes bare or stops being bare: it reads a node's warnings only then, and redraws the whole scene
+// tree.
 void FieldSources::watch_bare_map() {
 	if (_is_map_bare != is_map_bare()) {
 		_is_map_bare = !_is_map_bare;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What writes a field's map besides a game: the terrain that is laid into it, and the rule that fills it.
+// Writes a field's map besides a game: lays the terrain into it, and fills it by the rule.
 #pragma once
 
 #include "field/field_host.h"
@@ -30,7 +30,7 @@ public:
 	void set_fill_live(bool p_live);
 	bool is_fill_live() const { return _filler.is_live(); }
 	godot::Ref<GrassFillRule> get_fill_rule() const { return value_of(_filler.get_rule()); }
-	// p_changed must call rule_changed(). Null: removes what the rule filled.
+	// Sets the rule. p_changed must call rule_changed(). Null: removes what the rule filled.
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed);
 	void rule_changed();
 	// Return the square metres of full grass added.
@@ -46,7 +46,7 @@ public:
 	[[nodiscard]] bool update_terrain();
 	// Begins to fill. A field that enters the tree is filled before its first frame, others gradually.
 	[[nodiscard]] bool start_fill();
-	// Must be called once in each frame: fills on. r_has_finished: in this frame.
+	// Goes on filling. Must be called once in each frame. r_has_finished: in this frame.
 	[[nodiscard]] bool update_fill(bool &r_has_finished);
 	bool may_change() const { return _filler.may_fill(); } // update_fill() may have something to do in the next frames
 	FieldTerrain &get_terrain_reader() { return _terrain; }

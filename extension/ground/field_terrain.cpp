@@ -20,7 +20,7 @@ constexpr int FRAMES_BETWEEN_QUERIES = 15;
 // Heights are vertical: the most by which a field's up axis may differ from that, sine of the angle.
 constexpr double LARGEST_TILT = 1e-3;
 
-// A shift of the origin moves both, and loses some of the last digits.
+// Returns whether two places are the same. A shift of the origin moves both, and loses some of the last digits.
 bool is_same_place(const Transform3D &p_a, const Transform3D &p_b) {
 	const Eigen::Affine3d a = to_eigen(p_a), b = to_eigen(p_b);
 	return (a.linear() - b.linear()).norm() < 1e-5 && (a.translation() - b.translation()).norm() < 1e-3;

@@ -36,7 +36,8 @@ public:
 	[[nodiscard]] bool look(const godot::Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers);
 	// Returns whether look() found a terrain that can be read now; false while it is being read.
 	bool can_read() const { return _can_read && _source != nullptr && !_is_asking; }
-	// Then reads a frame's share and lays what is complete into the map. p_touched: called for every region whose textures changed.
+	// Reads a frame's share, and lays what is complete into the map. Must be called after look(). p_touched: called for every region whose
+	// textures changed.
 	[[nodiscard]] bool read(godot::Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
 	// Report a change: in an area (global; empty: everywhere), or everywhere.

@@ -8,7 +8,7 @@ using namespace godot;
 
 namespace grass {
 
-// A terrain may report an area, and a change without an area in the same frame: then the areas count.
+// Takes the changes of a frame. A terrain may report an area and, in the same frame, a change without one: then the areas count.
 void FieldTerrain::take_changes() {
 	const Transform3D to_field = _field.affine_inverse();
 	for (const AABB &area : _areas) {

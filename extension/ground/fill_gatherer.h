@@ -20,7 +20,7 @@ public:
 	// Reads the meshes of the mask group. Must be called before gather(). p_node: the field, in the tree; p_field: its transform
 	// (orthonormal). Meshes may be scripts: returns false if one of them freed the field, and this object with it.
 	[[nodiscard]] bool read_meshes(const GrassFillRule &p_rule, const godot::Node3D *p_node, const godot::Transform3D &p_field);
-	// Runs no script.
+	// Gathers the sources. Runs no script.
 	FillSources gather(const GrassFillRule &p_rule, const godot::Node3D *p_node, const godot::Transform3D &p_field);
 	// Returns the id of the node from which an obstacle of the last gathering was made; 0: none.
 	uint64_t get_node_of(const FillObstacle *p_obstacle) const;

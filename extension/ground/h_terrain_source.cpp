@@ -98,7 +98,7 @@ private:
 
 	int64_t count_maps(Object *p_data, int64_t p_map) { return int64_t(ask(p_data, "get_map_count", p_map)); }
 
-	// Up to 1.8 the signal has x, y, width, height and channel; later ones a rectangle and one or two numbers.
+	// Returns the handler for the signal: up to 1.8 it has x, y, width, height and channel, later a rectangle and one or two numbers.
 	Callable find_handler(const Handlers &p_handlers) const {
 		constexpr int64_t NUMBERS = 5;
 		const TypedArray<Dictionary> signals = get_data()->get_signal_list();
@@ -112,7 +112,7 @@ private:
 		return p_handlers.in_cells;
 	}
 
-	// p_last: cell. Without a baked picture of the ground, the colour that was painted.
+	// Returns the colour at a place: without a baked picture of the ground, the one that was painted. p_last: cell.
 	static TerrainColor find_color(const Ref<Image> &p_color, const Ref<Image> &p_albedo, const Vector3 &p_cell, double p_last) {
 		if (p_albedo.is_valid()) {
 			const Color baked = pixel_of(p_albedo, p_cell * real_t((p_albedo->get_width() - 1) / std::max(p_last, 1.0)));
@@ -130,7 +130,8 @@ private:
 		return p_image->get_pixel(int32_t(clip(p_cell.x, p_image->get_width())), int32_t(clip(p_cell.z, p_image->get_height())));
 	}
 
-	// Halfway between a pixel that cuts a hole and one that does not there is no ground either. The field may read just there.
+	// Returns whether a place is in a hole. Halfway between a pixel that cuts a hole and one that does not there is no ground either, and
+	// the field may read exactly there.
 	static bool is_hole(const Ref<Image> &p_color, const Vector3 &p_cell) {
 		constexpr real_t BESIDE = real_t(0.01); // cells
 		if (p_color.is_null()) {

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Returns null where the two lack the methods of HTerrain. p_data: what get_data() of the node returned.
+// Returns the source, or null if the two lack the methods of HTerrain. p_data: what get_data() of the node returned.
 std::unique_ptr<TerrainSource> make_h_terrain_source(godot::Node *p_node, godot::Object *p_data);
 
 } // namespace grass

@@ -24,7 +24,7 @@ uint64_t now() {
 	return Time::get_singleton()->get_ticks_usec();
 }
 
-// Only the first of all fields has a guaranteed number of places.
+// Returns whether this field is the first of all in a frame: only that one has a guaranteed number of places.
 bool is_first_in(uint64_t p_frame) {
 	static uint64_t frame_of_first = UINT64_MAX;
 	return std::exchange(frame_of_first, p_frame) != p_frame;

@@ -70,7 +70,7 @@ public:
 
 protected:
 	static constexpr double NO_GROUND = std::numeric_limits<double>::quiet_NaN();
-	// Places that one query combines where a query costs several calls. More: a slow terrain holds a frame for longer. Fewer: more
+	// The places that one query combines where a query costs several calls. More: a slow terrain holds a frame for longer. Fewer: more
 	// calls.
 	static constexpr size_t PLACES_AT_ONCE = 16;
 
@@ -101,7 +101,8 @@ protected:
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
 	// Returns no colour, and records a problem, if the value is not a colour.
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
-	// Where no colour was painted, the colour maps of add-ons are white, which multiplies the textures and says nothing about the ground.
+	// Returns no colour for white: where no colour was painted, the colour maps of add-ons are white, which multiplies the textures and
+	// says nothing about the ground.
 	static TerrainColor unless_white(const TerrainColor &p_color) {
 		return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
 	}

@@ -27,7 +27,7 @@ Dictionary describe(const GrassSpecies &p_species) {
 	return species;
 }
 
-// A gradient stands for what is only drawn: a field mixes species where one of them is more than its blades.
+// Makes a species. A gradient stands in for what is only drawn: a field mixes species if one of them is more than its blades.
 Ref<GrassSpecies> make_species(const Dictionary &p_described) {
 	Ref<GrassSpecies> species;
 	species.instantiate();
@@ -80,7 +80,7 @@ Dictionary describe_field(const GrassField &p_field) {
 	return described;
 }
 
-// The engine converts a value of another type to an empty one, and setters clamp.
+// Sets the properties of a field. The engine converts a value of another type to an empty one, and setters clamp.
 String become_described(GrassField &r_field, const Dictionary &p_described) {
 	FieldParts &parts = r_field.get_parts();
 	Ref<GrassMap> map;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field as a value, for a record that is played where the scene is not: all that its blades and their motion depend on, and not what is
-// only drawn.
+// A field as a value, for a record that is played without the scene: everything that its blades and their motion depend on, but nothing
+// that is only drawn.
 #pragma once
 
 #include <godot_cpp/variant/dictionary.hpp>

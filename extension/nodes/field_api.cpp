@@ -35,7 +35,7 @@ void FieldApi::bind() {
 	bind_constants();
 }
 
-// In the order of the inspector.
+// Binds the properties in the order of the inspector.
 void FieldApi::bind_properties() {
 	settings.bind<"_set_param", &FieldSettings::set_param>({ "param", "value" });
 	settings.bind_reader<"_get_param", &FieldSettings::get_param_value>("param");

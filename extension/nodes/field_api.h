@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts and the inspector see of GrassField: its properties, methods, signals and constants, and the part that each belongs to.
+// Binds what scripts and the inspector see of GrassField: its properties, methods, signals and constants, each to the part that it belongs
+// to.
 #pragma once
 
 #include "nodes/grass_field.h"

@@ -92,7 +92,7 @@ void FieldFrames::show_light() {
 	}
 }
 
-// In the editor the node itself shows its warnings.
+// Prints a warning once. In the editor the node itself shows its warnings.
 void FieldFrames::warn_once(const String &p_warning) {
 	_parts.host.show_warnings();
 	if (!Engine::get_singleton()->is_editor_hint()) {

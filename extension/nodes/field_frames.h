@@ -15,14 +15,14 @@ class FieldFrames {
 public:
 	FieldFrames(FieldParts &p_parts, FieldTicks &p_ticks) : _parts(p_parts), _ticks(p_ticks) {}
 
-	// Where frames are drawn, every one may need another wind.
+	// Returns whether a frame has something to do. Where frames are drawn, every one may need another wind.
 	bool needs_frame() const;
 	void frame(double p_delta); // scripts run: afterwards the field may be gone
 	void stir() { _rests = false; }
-	// Makes the field as a frame does, once in each. Runs in frame(), or where the node does not process before the frame is drawn. Returns
+	// Makes the field as a frame does, once in each. Runs in frame() or, if the node does not process, before the frame is drawn. Returns
 	// false if a script freed the field.
 	[[nodiscard]] bool advance();
-	// Must be called when the cameras have their poses of this frame. In a paused tree, frame() does not run before.
+	// Draws the field. Must be called when the cameras have their poses of this frame. In a paused tree, frame() has not run before.
 	void before_draw();
 	void add_to(FieldStatistics &r_statistics) const;
 

@@ -28,7 +28,7 @@ class FieldMonitors : public godot::Object {
 	GDCLASS(FieldMonitors, godot::Object)
 
 public:
-	// Main thread only. p_field counts from now on, until remove().
+	// Counts p_field from now on, until remove(). Main thread only.
 	static void add(GrassField *p_field);
 	static void remove(GrassField *p_field);
 	static std::vector<GrassField *> get_fields(); // all fields that count: those in the tree

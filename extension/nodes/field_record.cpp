@@ -123,7 +123,7 @@ void FieldRecord::end(const String &p_message) {
 	_parts.host.stir();
 }
 
-// p_reason: the end of a sentence that begins with the file.
+// Ends with an error. p_reason: the end of a sentence that begins with the file.
 void FieldRecord::fail(const String &p_reason) {
 	ERR_PRINT(_parts.host.message(vformat("cannot play '%s' further: the file %s.", _path, p_reason)));
 	end(p_reason);

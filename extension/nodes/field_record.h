@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes what happens to a field into a file while a game runs, and plays such a file: docs/guide/recording.md. A record begins with a
-// field whose blades all rest, and each time that the field is made again, it describes it again.
+// field whose blades all rest. Each time the field is made again, the record describes it again.
 #pragma once
 
 #include "core/field/field_record.h"
@@ -17,8 +17,8 @@ class FieldRecord {
 public:
 	explicit FieldRecord(FieldParts &p_parts) : _parts(p_parts) {}
 
-	// For scripts. The first two make the field again, so that all blades rest, and return an Error. Played is a field of its own: it
-	// becomes that of the record.
+	// Record and play, for scripts. The first two make the field again, so that all blades rest, and return an Error. A field of its own
+	// plays: it becomes that of the record.
 	int64_t record(const godot::String &p_path);
 	int64_t play_record(const godot::String &p_path);
 	void stop_record();
@@ -27,12 +27,12 @@ public:
 	bool is_recording() const { return _mode == Mode::RECORDING; }
 	bool is_playing() const { return _mode == Mode::PLAYING; }
 
-	// While it records, must be called in each tick that moves blades: before it, and afterwards. Must not be called between two ticks.
+	// Record a tick. While the field records, they must be called before and after each tick that moves blades, and not between two ticks.
 	void begin_tick(
 			const FieldParams &p_params, std::span<const ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta);
 	void end_tick();
-	// While it plays, returns the next tick, which then must be played and compared. Nothing while the field is made, at the end, and if a
-	// script freed the field: then the caller must leave at once.
+	// Returns, while it plays, the next tick, which then must be played and compared. Returns nothing while the field is made, at the end,
+	// and if a script freed the field: then the caller must return at once.
 	std::optional<TickRecord> read_tick();
 	void compare(const TickRecord &p_tick);
 

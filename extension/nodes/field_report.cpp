@@ -154,7 +154,7 @@ Dictionary FieldReport::get_counters() const {
 	return counters_dictionary(find_statistics());
 }
 
-// The debugger queries each monitor separately: each reads only what it shows.
+// Returns the field's share of a monitor. The debugger queries each one separately, so each reads only what it shows.
 double FieldReport::find_monitor(FieldMonitor p_monitor) {
 	if (!_parts.standing.stands()) {
 		return 0.0;

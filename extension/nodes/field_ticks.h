@@ -28,7 +28,7 @@ public:
 	};
 	void enter(const Callbacks &p_callbacks); // must be called when the node enters the tree
 	void leave(); // must be called when it leaves the tree
-	// Emits that all bodies left the grass. Scripts run: afterwards the field may be gone.
+	// Emits that all bodies have left the grass. Scripts run: afterwards the field may be gone.
 	void emit_leaving();
 
 	bool needs_tick() const;

@@ -110,7 +110,7 @@ void FieldTurns::stir_by_bodies() {
 	count(reads);
 }
 
-// What serves all fields counts in one of them.
+// Counts reads that serve all fields in one of them.
 void FieldTurns::count(const BodyReads &p_reads) {
 	if (const std::vector<GrassField *> fields = FieldMonitors::get_fields(); !fields.empty()) {
 		fields.front()->get_ticks().count_reads(p_reads);

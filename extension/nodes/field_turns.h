@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls the fields that have something to do, once a tick and once a frame. The others rest, and cost as good as nothing: however many
-// there are, the engine makes one call (docs/history/0100-fields-that-rest.md).
+// Calls the fields that have something to do, once a tick and once a frame. The others rest and cost next to nothing: however many there
+// are, the engine makes one call (docs/history/0100-fields-that-rest.md).
 #pragma once
 
 #include "field/movers.h"
@@ -32,7 +32,7 @@ protected:
 private:
 	void _begin_tick();
 	void _begin_frame();
-	// From the engine's message queue: shared/script_call.h.
+	// Run from the engine's message queue: shared/script_call.h.
 	void _tick();
 	void _frame();
 	void stir_by_bodies();

@@ -54,8 +54,8 @@ void GrassField::_notification(int p_what) {
 	}
 }
 
-// In the editor the blades follow gravity while somebody turns the field. In a game they keep the shape that they were made with: a field
-// that turns over would be made again every few degrees.
+// Turns the blades with the field. In the editor they follow gravity while somebody turns it. In a game they keep the shape that they were
+// made with: a field that turns over would be made again every few degrees.
 void GrassField::turn() {
 	const bool is_edited = Engine::get_singleton()->is_editor_hint() && is_inside_tree();
 	if (is_edited && find_pull(to_eigen(field_transform()).linear()) != _parts.properties.species.get_pull()) {
@@ -125,7 +125,7 @@ void GrassField::request_rebuild() {
 	update_configuration_warnings();
 }
 
-// The ground beside the cameras is laid from the first frame on.
+// Reads what scripts provide. The ground beside the cameras is laid from the first frame on.
 bool GrassField::read_scene() {
 	const bool is_first = !_parts.standing.stands() && !_parts.properties.is_streamed;
 	_parts.properties.species.set_pull(find_pull(to_eigen(field_transform()).linear()));

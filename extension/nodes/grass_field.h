@@ -41,7 +41,7 @@ public:
 	void stir() override;
 	void request_rebuild() override;
 
-	// The properties whose changes the node listens to, and `simulated`.
+	// Set the properties whose changes the node listens to, and `simulated`.
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass grows everywhere
 	godot::Ref<GrassMap> get_map() const { return value_of(_parts.properties.map); }
 	void make_map() override;
@@ -54,22 +54,22 @@ public:
 	void set_simulated(bool p_simulated);
 	bool is_simulated() const { return _parts.properties.simulated; }
 
-	// For a world, before the field enters the tree. p_other: a field of the same blades.
+	// Prepare a world's field before it enters the tree. p_other: a field of the same blades.
 	void set_streamed() { _parts.properties.is_streamed = true; }
 	void join(const GrassField &p_other) { _parts.standing.join(p_other._parts.standing); }
 	// Sets the centre's place in the noise, metres. A field outside a world is at (0, 0).
 	void set_noise_origin(const godot::Vector2i &p_place);
-	// Instead of set_map(), for a map that another thread prepared as find_map_place() says.
+	// Does what set_map() does, for a map that another thread prepared as find_map_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> p_prepared);
-	// May be called before the field is made or in the tree. Returns nothing until its patches are ready.
+	// Returns where a map would be shown, or nothing until the patches are ready. May be called before the field is made or in the tree.
 	std::optional<MapPlace> find_map_place() const { return grass::find_map_place(_parts.properties); }
 	bool is_made() const { return _parts.life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
 	int64_t get_pool_slots() const { return _parts.standing.get_field().get_tiles().get_room(); } // that exist now
 	// Makes the field as its own frames do, whether it processes or not. Scripts run: afterwards it may be gone.
 	void come() { (void)_frames.advance(); }
 
-	// For the editor: draws the grass as a brush would leave it, without changing the map. Lasts until the map changes or the next preview.
-	// Not for a field without a map.
+	// Draws the grass, for the editor, as a brush would leave it, without changing the map. Lasts until the map changes or the next
+	// preview. The field must have a map.
 	void preview(const MapShape &p_shape, const Brush &p_brush);
 	void end_preview();
 	bool is_preview() const { return _parts.standing.get_map() != nullptr && _parts.standing.get_map()->is_preview(); }
@@ -103,7 +103,7 @@ private:
 	void listen();
 	godot::Callable get_fill_button() const;
 
-	// What the engine calls, from its message queue where a script may end the node: shared/script_call.h. Signals of a terrain and of
+	// The engine calls these, from its message queue if a script may end the node: shared/script_call.h. Signals of a terrain and of
 	// resources may arrive on any thread.
 	void _before_draw() { _frames.before_draw(); }
 	void _plants_left() { (void)_parts.plants.put_away(); } // nothing may follow this

@@ -75,7 +75,7 @@ void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> 
 	_parts.life.offer(std::move(p_prepared));
 }
 
-// However often the map changes, it is read once, in the next tick or frame.
+// Notes a change of the map. However often it changes, it is read once, in the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
 	stir();
 	end_preview();
@@ -130,7 +130,7 @@ void GrassField::set_surface_hook(const Ref<ShaderInclude> &p_include) {
 	_parts.settings.set_surface_hook(p_include, callable_mp(this, &GrassField::_hook_changed));
 }
 
-// Deferred until the engine has processed the change, since its own shaders depend on the include too.
+// Compiles the hook once the engine has processed the change, since its own shaders depend on the include too.
 void GrassField::_hook_changed() {
 	callable_mp(this, &GrassField::_compile_hook).call_deferred();
 }

@@ -7,7 +7,7 @@
 extern "C" __attribute__((visibility("hidden"))) char __libc_single_threaded;
 char __libc_single_threaded = 0;
 
-// The source of std::random_device.
+// Returns a random number: the source of std::random_device.
 extern "C" __attribute__((visibility("hidden"))) unsigned arc4random() noexcept {
 	unsigned value = 0;
 	return getentropy(&value, sizeof(value)) == 0 ? value : 0;

@@ -67,7 +67,7 @@ void AreaWinds::area_changed(int64_t p_status, int64_t p_instance_id) {
 	known.overlaps += is_added ? 1 : -1;
 }
 
-// An area whose shapes are counted anew leaves and enters in the same tick, and its wind blows on.
+// Advances by a tick. An area whose shapes the server counts again leaves and enters in the same tick, and its wind blows on.
 void AreaWinds::pass(double p_delta) {
 	std::erase_if(_areas, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
 	for (auto &[id, known] : _areas) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wind of Area3D nodes, which Godot has for soft bodies, as forces.
+// Turns the wind of Area3D nodes, which Godot has for soft bodies, into forces.
 #pragma once
 
 #include "core/blades/force.h"

@@ -23,8 +23,9 @@ bool BodyMotion::rides(const Eigen::Affine3d &p_now) const {
 	return (p_now.matrix() - _before.matrix()).norm() < RIDES_WITHIN;
 }
 
-// The server moves kinematic bodies late. So one that is carried by a field, and has no node to ask, is one tick behind: it is where it was
-// relative to the field of the tick before. If the field has just begun to move, this holds for every such body that does not move yet.
+// Returns whether a body is one tick behind the field. The server moves kinematic bodies late. So one that a field carries, and that has no
+// node to query, is where it was relative to the field of the tick before. If the field has just begun to move, this holds for every such
+// body that does not move yet.
 bool BodyMotion::follows_late(const ServerBody &p_body, const Transform3D &p_world, const FieldPath &p_field) const {
 	return p_field.has_moved() && is_known() && p_body.get_kind() != ServerBody::Kind::DRIVEN && !p_body.has_leader() &&
 			(p_field.has_begun() || p_world != _world_before) && rides(p_field.get_from_world_before() * to_eigen(p_world));
@@ -46,8 +47,8 @@ Eigen::Affine3d BodyMotion::pose_of(const ServerBody &p_body, const Transform3D 
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
 
-// A static body bends grass from its first motion on, until it has rested for a while. It is carried if the field jumped together with it,
-// in the same tick or the next, since nodes pass their transform to the server when they are updated.
+// Returns whether the body is ground. A static body bends grass from its first motion on, until it has rested for a while. It is carried if
+// the field jumped together with it, in the same tick or the next, since nodes pass their transform to the server when they are updated.
 bool BodyMotion::stand(const ServerBody &p_body, const Transform3D &p_world, const Eigen::Affine3d &p_now, const FieldPath &p_field) {
 	const bool has_moved = p_world != _world_before;
 	_world_before = p_world;
@@ -67,7 +68,7 @@ bool BodyMotion::stand(const ServerBody &p_body, const Transform3D &p_world, con
 	return _still_ticks >= STILL_TICKS;
 }
 
-// Motion while it waited bends nothing: its path in this tick begins where an even motion would have put it a tick ago.
+// Skips the motion while it waited, which bends nothing: its path in this tick begins where an even motion would have put it a tick ago.
 void BodyMotion::catch_up(const Eigen::Affine3d &p_now, int p_waited) {
 	const Eigen::Vector3d way = p_now.translation() - _before.translation();
 	_before.translation() += way * (double(p_waited) / double(p_waited + 1));

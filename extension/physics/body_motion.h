@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a body was and is in a field, and which part of that is motion: bodies that are put somewhere bend nothing on the way.
+// Where a body was and is in a field, and how much of that is motion: bodies that are put somewhere bend nothing on the way.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -38,11 +38,11 @@ public:
 	bool is_open() const { return _motion.is_open(); } // see Motion
 	bool is_at_rest() const { return _motion.is_at_rest(); }
 
-	// These follow it in a tick, in this order.
+	// Follow it in a tick, in this order.
 	Eigen::Affine3d pose_of(const ServerBody &p_body, const godot::Transform3D &p_world, const FieldPath &p_field) const;
 	// Returns whether it is ground, which bends no grass.
 	bool stand(const ServerBody &p_body, const godot::Transform3D &p_world, const Eigen::Affine3d &p_now, const FieldPath &p_field);
-	// p_waited: ticks since it was last followed, whose motion bends nothing.
+	// Follows it to its pose now. p_waited: ticks since it was last followed, whose motion bends nothing.
 	void follow(const ServerBody &p_body, const Eigen::Affine3d &p_now, int p_waited, const BodyTick &p_tick);
 	void end(const Eigen::Affine3d &p_now) { _before = p_now; }
 

@@ -35,7 +35,7 @@ struct BodyColliders {
 	int64_t mesh_pieces = 0; // of these
 };
 
-// Warns once for each field and kind of shape: the user may expect that a moving body bends grass, and with its own form.
+// Warns once for each field and kind of shape: a user may expect a moving body to bend grass, and with its own form.
 class ShapeWarnings {
 public:
 	void warn_of(const ServerBody &p_body, const TrackedShape &p_shape);
@@ -51,7 +51,7 @@ public:
 	// Returns whether one is to be warned of once it moves.
 	bool is_odd() const;
 	// Reads changes of shapes and friction. Returns whether they must be read in the next tick too, since a shape often changes in several
-	// ticks running.
+	// ticks in a row.
 	bool look(const ServerBody &p_body, BodyColliders &r_colliders, const BodyTick &p_tick);
 	void look_at_all_soon() { _next_look_at_all = 0; }
 	// Updates the scale of the body itself, which its pose contains in every tick.

@@ -23,10 +23,10 @@ class BodyTracker {
 public:
 	~BodyTracker() { stop(); }
 
-	// Starts to watch a box, see set_box(). p_changed is called with the five arguments of PhysicsServer3D.area_set_monitor_callback, and
-	// must pass the first three to body_changed(). p_woke is called with the id of a body's RID, and must pass it to body_woke().
-	// p_area_changed: the same for areas, with the arguments of area_set_area_monitor_callback. p_carriers: instance ids of nodes that
-	// carry the field. Their bodies are its ground.
+	// Starts to watch a box, see set_box(). p_changed gets the five arguments of PhysicsServer3D.area_set_monitor_callback, and must pass
+	// the first three to body_changed(). p_woke gets the id of a body's RID, and must pass it to body_woke(). p_area_changed: the same for
+	// areas, with the arguments of area_set_area_monitor_callback. p_carriers: instance ids of nodes that carry the field. Their bodies are
+	// its ground.
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_area_changed,
 			const godot::Callable &p_woke, uint32_t p_mask, std::vector<uint64_t> &&p_carriers);
 	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time. p_delta: seconds of
@@ -57,8 +57,8 @@ public:
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
 	std::vector<uint64_t> find_instances(size_t p_most) const; // ids of the first bodies
-	// Returns false unless every body rests, so that collect() has nothing to do until one of them moves, sleeps no more, enters or leaves.
-	// Appends those that may be moved without notice.
+	// Returns whether every body rests: then collect() has nothing to do until one of them moves, wakes, enters or leaves. Appends those
+	// that may be moved without notice.
 	bool find_resting(std::vector<RestingBody> &r_bodies) const;
 	uint32_t get_mask() const { return _mask; }
 	const godot::Vector3 &get_box_extents() const { return _box.get_half_extents(); } // of the watched box

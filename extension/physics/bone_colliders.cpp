@@ -8,7 +8,7 @@ namespace grass {
 
 namespace {
 
-// A capsule's axis is its y.
+// Returns the pose of a capsule, whose axis is its y.
 Eigen::Affine3d pose_between(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to, const Eigen::Affine3d &p_before) {
 	Eigen::Affine3d pose = Eigen::Affine3d::Identity();
 	pose.linear() = swing_axes(p_before.linear(), p_to - p_from);

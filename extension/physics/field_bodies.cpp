@@ -16,7 +16,7 @@ namespace grass {
 
 namespace {
 
-// A server that comes with a project may require the main thread.
+// Returns whether the physics server is the engine's own: one that comes with a project may require the main thread.
 bool is_engines_own_server() {
 	static const bool is_own = [] {
 		const String engine = ProjectSettings::get_singleton()->get_setting("physics/3d/physics_engine", "DEFAULT");
@@ -68,7 +68,7 @@ void FieldBodies::collect(
 	_soft_bodies.collect(reach, tick, _colliders);
 }
 
-// Of several shapes the one that moves over most, since they overlap.
+// Returns how many blades a second a node moves over. Of several shapes only the one with the most counts, since they overlap.
 double FieldBodies::find_rustle(const Field &p_field, const LayersAt &p_layers, uint64_t p_node) const {
 	double most = 0.0;
 	if (Engine::get_singleton()->get_physics_frames() > _collected_in + 1) {

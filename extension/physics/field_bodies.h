@@ -29,7 +29,7 @@ public:
 	// Poses every collider for a tick of p_delta seconds of p_field, which is in p_world at p_transform. Must be called after watch().
 	void collect(const Field &p_field, const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_transform,
 			double p_teleport_speed, double p_delta);
-	// Returns false unless watch() and what calls stir() report all that may move; see BodyTracker::find_resting().
+	// Returns whether watch() and what calls stir() report everything that may move; see BodyTracker::find_resting().
 	bool find_resting(std::vector<RestingBody> &r_bodies) const;
 	const Eigen::AlignedBox3d &get_watched() const { return _watched; } // a box around the watched space, global
 	// Adds the colliders that wake tiles for the forces of the tick. Must be called after collect().

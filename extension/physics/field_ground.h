@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field takes for its ground: the band of heights, and which bodies. Crates, cars and roofs have collision shapes, too.
+// What a field takes for its ground: a band of heights, and some bodies. Crates, cars and roofs have collision shapes, too.
 #pragma once
 
 #include "core/paint/ground_band.h"

@@ -20,7 +20,7 @@ struct FieldReach {
 			uint32_t p_mask) :
 			world(p_world), from_world(to_eigen(p_field).inverse(Eigen::Isometry)), half_extents(to_eigen(p_half_extents)), mask(p_mask) {}
 
-	// Return true if a box is near the grass; false also if the box is not finite. In field space:
+	// Return whether a box is near the grass; false also if it is not finite. In field space:
 	bool is_near(const Bounds &p_bounds) const { return is_near(0.5 * (p_bounds.min + p_bounds.max), 0.5 * (p_bounds.max - p_bounds.min)); }
 	bool is_near_global(const Eigen::AlignedBox3d &p_box) const {
 		return is_near(from_world * Eigen::Vector3d(p_box.center()), from_world.linear().cwiseAbs() * (0.5 * p_box.sizes()));

@@ -28,7 +28,7 @@ bool GroundRays::is_ground(const Object *p_body) const {
 	return !moves_about(p_body) || (_standing != nullptr && node != nullptr && node->is_ancestor_of(const_cast<Node *>(_standing)));
 }
 
-// A scene of several bodies is in the group by its root.
+// Returns whether a node, or one above it, is in the group: a scene of several bodies is in it by its root.
 bool GroundRays::is_in_group(const Node *p_node) const {
 	if (String(_ground.group).is_empty()) {
 		return true;
@@ -53,7 +53,7 @@ GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, 
 	_query->set_collision_mask(uint32_t(p_mask));
 }
 
-// Empty: there is none.
+// Returns the first hit that is ground; empty: there is none.
 Dictionary GroundRays::find_hit(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
 	const Vector3 from = to_godot(Eigen::Vector3d(_field * p_from)), to = to_godot(Eigen::Vector3d(_field * p_to));
 	if (_space == nullptr || !from.is_finite() || !to.is_finite()) {

@@ -24,12 +24,12 @@ bool moves_about(const godot::Object *p_body);
 
 class GroundRays {
 public:
-	// p_field: global, without scale. p_mask: physics layers that are ground.
+	// Casts rays below a field. p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = FieldGround::ALL_LAYERS);
 
 	// Sets a node that is on the ground: bodies that carry it are ground, however they move.
 	void stand(const godot::Node &p_node) { _standing = &p_node; }
-	// Only finds bodies that are ground, and by height_at() only within the band.
+	// Limits what rays find to bodies that are ground, and height_at() to the band.
 	void keep_within(const FieldGround &p_ground);
 	bool is_usable() const { return _space != nullptr; }
 	// Returns where the ray first hits a body that does not move about; field space, metres.

@@ -21,7 +21,7 @@ class GroundTriangles {
 public:
 	using Visit = std::function<void(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c)>;
 
-	// Other shapes have none.
+	// Takes a shape's triangles; shapes of other kinds have none.
 	explicit GroundTriangles(const godot::Ref<godot::Shape3D> &p_shape);
 	explicit GroundTriangles(const godot::RID &p_shape);
 

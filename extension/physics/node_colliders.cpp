@@ -77,7 +77,7 @@ void NodeColliders::look(Entry &r_entry, const Node3D &p_node) {
 	}
 }
 
-// p_shape: the shape's transform, field space. A shape far from the grass is only followed.
+// Writes a shape's colliders. p_shape: its transform, field space. A shape far from the grass is only followed.
 void NodeColliders::write(Entry &r_entry, const Eigen::Affine3d &p_shape, const FieldReach &p_reach, const MotionTick &p_tick,
 		std::vector<ColliderShape> &r_colliders) {
 	const std::vector<ShapePart> &parts = r_entry.tracked.parts;

@@ -33,18 +33,18 @@ public:
 	Kind get_kind() const { return _kind; }
 	const godot::RID &get_rid() const { return _rid; }
 	uint64_t get_instance_id() const { return _instance_id; } // of its node
-	// Must be called first in each tick that reads the body. Returns false once it is freed: it may stay listed until the server's next
-	// report.
+	// Finds the body. Must be called first in each tick that reads it. Returns false once it is freed: it may stay listed until the
+	// server's next report.
 	bool find(BodyReads &r_reads);
 	bool is_found() const { return _state_id != 0; }
 	// Returns the object whose transform changes when the body moves.
 	uint64_t get_mover() const { return _node != nullptr ? _instance_id : _state_id; }
 	bool has_leader() const { return _node != nullptr; }
 
-	// Reads of what kind it is. p_has_moved: it was not ground before.
+	// Reads its kind. p_has_moved: it was not ground before.
 	void look(bool p_has_moved, BodyReads &r_reads);
 	// Returns the body's pose in this tick. A node that a script moves updates the server after the field's tick, and the server moves the
-	// body later still: the picture shows the body at its node.
+	// body even later: the picture shows the body at its node.
 	godot::Transform3D find_place(BodyReads &r_reads) const;
 	godot::Vector3 find_server_place(BodyReads &r_reads) const; // to which its velocity led; its node may be a tick ahead
 	// Return velocities in the world, metres or radians per second. The server's velocity of a body that is put follows from its places,

@@ -83,7 +83,8 @@ bool TrackedBody::look(const BodyTick &p_tick) {
 	return true;
 }
 
-// A moving body is kept for two more ticks: it passed grass on its way out, or was reported only after it had passed all of it.
+// Returns whether it has left. A moving body is kept for two more ticks: it passed grass on its way out, or was reported only after it had
+// passed all of it.
 bool TrackedBody::has_left(const FieldPath &p_field) {
 	left_for = is_near() ? 0 : left_for + 1;
 	return left_for > (motion.is_open() ? 2 : 0) && !p_field.has_jumped_lately();
@@ -109,8 +110,8 @@ void TrackedBody::follow(const Transform3D &p_world, bool p_is_due, const BodyTi
 	}
 }
 
-// A sleeping body is not queried, except from time to time whether it was moved, since the server does not wake it then. When it wakes, its
-// node emits a signal, as it does when its shapes change.
+// Follows a body that may sleep. A sleeping one is not queried, except from time to time whether it was moved, since the server does not
+// wake it then. When it wakes, its node emits a signal, as it does when its shapes change.
 void TrackedBody::follow_sleep(const Transform3D &p_world, bool p_is_due, const BodyTick &p_tick) {
 	const bool has_stood = motion.is_known() && p_world == motion.get_world_before();
 	const bool may_sleep = p_is_due && has_stood && server.get_kind() == ServerBody::Kind::DRIVEN;
@@ -122,7 +123,7 @@ void TrackedBody::follow_sleep(const Transform3D &p_world, bool p_is_due, const 
 	next_read = p_tick.look_every - 1;
 }
 
-// For a body that is where it was: returns whether everything else is as it was too. Its colliders are valid then.
+// Returns, for a body that is where it was, whether everything else is as it was too: then its colliders are valid.
 bool TrackedBody::keep_at_rest(const FieldPath &p_field) {
 	const bool is_kept = colliders.state == BodyColliders::State::AT_REST && is_near() && !p_field.has_moved();
 	waited = is_kept ? 0 : waited; // it has not moved meanwhile

@@ -30,7 +30,7 @@ struct TrackedBody {
 	// Returns whether following it would have no effect: the full pool had no slot for any tile that it met.
 	bool waits_for_slots(const TileManager &p_tiles) const;
 
-	// Each follows it in one tick. p_place: where its colliders begin in that tick.
+	// Follow it in one tick, each in another state. p_place: where its colliders begin in that tick.
 	void sleep(size_t p_place, const BodyTick &p_tick);
 	void put_off(size_t p_place, const BodyTick &p_tick);
 	void read(size_t p_place, const BodyTick &p_tick);

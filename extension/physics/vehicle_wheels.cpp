@@ -35,7 +35,7 @@ void VehicleWheels::body_changed(int64_t p_status, int64_t p_instance_id) {
 	found->second.overlaps += is_added ? 1 : -1;
 }
 
-// A vehicle whose shapes are counted anew leaves and enters in the same tick, and its wheels roll on.
+// Drops vehicles that have left. One whose shapes the server counts again leaves and enters in the same tick, and its wheels roll on.
 void VehicleWheels::drop_left() {
 	std::erase_if(_vehicles, [this](const auto &p_entry) {
 		if (p_entry.second.overlaps > 0) {

@@ -49,7 +49,7 @@ std::optional<PixelFormat> format_of(Image::Format p_format) {
 	return found != std::end(FORMATS) ? std::optional(found->pixels) : std::nullopt;
 }
 
-// p_format: a picture_format().
+// Returns the engine's format. p_format: a picture_format().
 Image::Format image_format(const PixelFormat &p_format) {
 	return std::ranges::find(FORMATS, p_format, &ImageFormat::pixels)->image;
 }

@@ -19,10 +19,10 @@ struct PictureProblem {
 godot::Ref<godot::Image> get_channel_image(
 		const GrassMap &p_map, GrassMap::Channel p_channel, const godot::Rect2 &p_region, bool p_is_float);
 bool set_channel_image(GrassMap &r_map, GrassMap::Channel p_channel, const godot::Ref<godot::Image> &p_image, const godot::Rect2 &p_region);
-// The same for files. They return an Error.
+// Do the same for files, and return an Error.
 int64_t save_channel_image(const GrassMap &p_map, GrassMap::Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region);
 int64_t load_channel_image(GrassMap &r_map, GrassMap::Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region);
-// The same without a message: they return what is wrong.
+// Do the same without a message, and return what is wrong.
 PictureProblem write_picture(const GrassMap &p_map, GrassMap::Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region);
 PictureProblem read_picture(GrassMap &r_map, GrassMap::Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region);
 

@@ -32,7 +32,7 @@ public:
 	double get_param(int64_t p_param) const;
 	void set_mask(const godot::Ref<godot::Texture2D> &p_mask);
 	godot::Ref<godot::Texture2D> get_mask() const { return value_of(_mask); }
-	// The picture of `mask` that an export for a server puts into the rule, since such an export leaves pictures out. Null: none.
+	// Sets the picture of `mask` that an export for a server puts into the rule, since such an export leaves pictures out. Null: none.
 	void set_kept_mask(const godot::Ref<godot::Image> &p_picture);
 	godot::Ref<godot::Image> get_kept_mask() const { return value_of(_kept_mask); }
 	// Returns the state, which distinguishes a picture that is not made yet from one that is missing.
@@ -54,7 +54,7 @@ public:
 	godot::PackedStringArray find_warnings() const; // about settings that are probably not intended
 	bool asks_textures() const { return _rule.asks_textures(); }
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height(); }
-	// p_region: the area to fill.
+	// Returns the rule as the core reads it. p_region: the area to fill.
 	FillRule get_rule(const MapRegion &p_region);
 
 protected:

@@ -49,7 +49,7 @@ public:
 
 	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const; // x, z from the field's centre, metres
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
-	// p_from: null: restores all of it. Otherwise what differs between the two, so that others' changes stay.
+	// Restores a snapshot: all of it if p_from is null, otherwise what differs between the two, so that others' changes stay.
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot, const godot::Ref<GrassMapSnapshot> &p_from = {});
 	void clear();
 	bool is_empty() const;

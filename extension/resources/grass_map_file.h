@@ -47,7 +47,7 @@ protected:
 	static void _bind_methods() {}
 };
 
-// Register the two with the engine, and unregister them.
+// Register loader and saver with the engine, and unregister them.
 void register_map_files();
 void unregister_map_files();
 

@@ -87,7 +87,8 @@ bool GrassPatch::prepare() {
 	return _patch || _maker.is_done();
 }
 
-// First finishes a patch that was begun in an earlier frame: if the parameters change in every frame, none would ever be ready otherwise.
+// Forgets the patch after a change. First finishes one that was begun in an earlier frame: if the parameters change in every frame, none
+// would ever be ready otherwise.
 void GrassPatch::forget() {
 	if (_begun_in == Engine::get_singleton()->get_process_frames()) {
 		_maker.stop();

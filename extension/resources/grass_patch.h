@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassPatch: the blades of which a GrassField grows. Properties only; core/blades/patch.h makes the blades.
+// GrassPatch: the blades that a GrassField grows. Properties only; core/blades/patch.h makes the blades.
 #pragma once
 
 #include "core/blades/patch_maker.h"

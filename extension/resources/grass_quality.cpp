@@ -47,7 +47,7 @@ struct Start {
 	Ref<GrassQuality> custom;
 };
 
-// The editor shows grass as it was designed.
+// Reads the project's level. The editor shows grass as it was designed.
 Start read_project() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return {};

@@ -38,7 +38,7 @@ public:
 	godot::Ref<godot::Mesh> get_plant_mesh() const { return value_of(_plant_mesh); }
 	void set_plant_scene(const godot::Ref<godot::PackedScene> &p_scene); // null: plants are only drawn
 	godot::Ref<godot::PackedScene> get_plant_scene() const { return value_of(_plant_scene); }
-	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
+	// Set and get indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
 	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
@@ -48,10 +48,10 @@ public:
 	std::shared_ptr<const Patch> find_patch() const;
 	bool prepare_patch() const; // whether find_patch() returns it at once; if not, starts making it
 	SpeciesParams get_mix() const;
-	// p_field: the solver's parameters that are not the species' own.
+	// Returns the species' solver. p_field: the solver's parameters that are not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look(); // without canopies
-	// Of `card` and `leaf`, as read_card() of draw/species_look.h returns them.
+	// Return the pictures of `card` and `leaf`, as read_card() of draw/species_look.h does.
 	std::vector<godot::Ref<godot::Image>> read_card() const;
 	std::vector<godot::Ref<godot::Image>> read_leaf() const;
 	SpeciesLook make_look(const std::vector<godot::Ref<godot::Image>> &p_card,
@@ -72,7 +72,8 @@ public:
 	godot::String get_plant_problem() const; // why it cannot be drawn although a mesh is set; empty: it can
 	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
 	double get_plant_scene_distance() const { return param(SPECIES_PARAM_PLANT_SCENE_DISTANCE); } // metres
-	// Returns the height that a plant's scene is made for: that of the mesh, in its own units. Without a mesh p_mean_length, of a blade.
+	// Returns the height for which a plant's scene is made: that of the mesh, in its own units; without a mesh p_mean_length, that of a
+	// blade.
 	float find_plant_height(float p_mean_length) const;
 
 protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Brings changes of a GrassMap to another one: over a network, or of two people who painted it.
+// Brings changes of a GrassMap to another one: over a network, or between two people who paint it.
 #pragma once
 
 #include "resources/grass_map.h"

@@ -8,7 +8,7 @@ namespace grass {
 
 // Must be called once, before anything is read.
 void register_size_limits();
-// May be called on any thread.
+// Returns the limits. May be called on any thread.
 ReadLimits get_read_limits();
 size_t get_record_limit(); // bytes of a file of GrassField.record(), written or read
 

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// The base of such a class. The engine binds only methods of the class itself: for each function that is bound there is one of these.
+// The base of such a class. The engine binds only methods of the class itself, so each bound function gets one of these.
 template <typename Class> class CallsFree {
 public:
 	template <auto FUNCTION, typename R, typename... A> R call_free(A... p_arguments) {
@@ -26,7 +26,7 @@ template <auto FUNCTION, typename Class, typename R, typename... A> struct FreeC
 	static constexpr R (Class::*METHOD)(A...) const = &CallsFree<Class>::template call_free<FUNCTION, R, A...>;
 };
 
-// p_definition: without the object, which is the function's first argument. p_defaults: of the last arguments.
+// Binds a function. p_definition: without the object, which is the function's first argument. p_defaults: of the last arguments.
 template <auto FUNCTION, typename... Defaults> void bind_free(const godot::MethodDefinition &p_definition, const Defaults &...p_defaults) {
 	godot::ClassDB::bind_method(p_definition, FreeCall<FUNCTION>::METHOD, p_defaults...);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Binds methods of a node's parts under the names that scripts call. What every such method needs comes along: on another thread, while
-// the node is in the tree, it reports an error and returns an empty result.
+// Binds methods of a node's parts under the names that scripts call. Every such method is guarded: on another thread, while the node is in
+// the tree, it reports an error and returns an empty result.
 #pragma once
 
 #include "shared/main_thread.h"
@@ -42,8 +42,8 @@ template <MethodName NAME, auto METHOD, auto... PATH> struct PartMethod {
 	}
 };
 
-// The base of a node with parts. Node needs label(). The engine binds only methods of the node's own class: for each method of a part that
-// is bound there is one of these.
+// The base of a node with parts. Node needs label(). The engine binds only methods of the node's own class, so each bound method of a part
+// gets one of these.
 template <typename Node> class CalledByParts {
 public:
 	template <typename Method, MethodName NAME, typename R, typename... A> R call_part(A... p_arguments) {
@@ -52,7 +52,7 @@ public:
 	template <typename Method, MethodName NAME, typename R, typename... A> R call_part(A... p_arguments) const {
 		return may_call(NAME.shown()) ? Method::call(static_cast<const Node &>(*this), p_arguments...) : R();
 	}
-	// Getters of properties may be called on any thread.
+	// Calls a getter of a property, on any thread.
 	template <typename Method, typename R, typename... A> R read_part(A... p_arguments) const {
 		return Method::call(static_cast<const Node &>(*this), p_arguments...);
 	}
@@ -83,7 +83,7 @@ struct PartCall<Node, NAME, Method, R (Part::*)(A...) const> {
 template <typename Node, auto... PATH> struct PartBinder {
 	template <MethodName NAME, auto METHOD> using Call = PartCall<Node, NAME, PartMethod<NAME, METHOD, PATH...>, decltype(METHOD)>;
 
-	// p_arguments: their names. p_defaults: of the last of them.
+	// Binds a method. p_arguments: their names. p_defaults: of the last of them.
 	template <MethodName NAME, auto METHOD, size_t N, typename... Defaults>
 	void bind(const char *const (&p_arguments)[N], const Defaults &...p_defaults) const {
 		bind_named<NAME, METHOD>(p_arguments, std::make_index_sequence<N>(), p_defaults...);

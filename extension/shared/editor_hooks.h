@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the editor does for nodes. Its plugin sets these functions while it runs; nodes know nothing else about it.
+// The functions that the editor has for nodes. Its plugin sets these functions while it runs; nodes know nothing else about it.
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>

@@ -15,8 +15,8 @@ inline bool draws_frames() {
 	return godot::DisplayServer::get_singleton()->get_name() != "headless";
 }
 
-// The last process frame that was drawn. Written by each field before it is drawn, read on any thread. Engine::get_frames_drawn() counts
-// other things, too: waits for the device.
+// The last process frame that was drawn. Each field writes it before it is drawn; any thread reads it. Engine::get_frames_drawn() also
+// counts other things: waits for the device.
 inline std::atomic<uint64_t> last_drawn_frame = 0;
 
 // Ticks without a drawn frame after which fields no longer wait for one: the window is minimised, or a script has stopped the rendering.
@@ -27,7 +27,7 @@ constexpr uint64_t UNDRAWN_TICKS = 32;
 // Counts ticks since the last drawn frame.
 class UndrawnTicks {
 public:
-	// Call it at least once in each tick. Returns true in every UNDRAWN_TICKS-th one that no frame was drawn after, once.
+	// Counts a tick. Must be called at least once in each. Returns true once in every UNDRAWN_TICKS-th tick without a drawn frame.
 	bool count(uint64_t p_drawn_frame, uint64_t p_tick) {
 		if (_drawn_frame != p_drawn_frame) {
 			_drawn_frame = p_drawn_frame;

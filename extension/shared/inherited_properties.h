@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Properties that a GrassField inherits and that have no effect on it: they affect the node's own instance in the renderer, which draws
 // nothing. The grass is drawn by other instances, with culling and levels of detail of our own. The inspector hides these properties. Most
-// of them refer to the bounds of the whole field, which say little about the grass in view.
+// of them depend on the bounds of the whole field, which say little about the grass in view.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 namespace grass {
 
 godot::String label_of(const godot::Node &p_node);
-// A resource inside a scene has the scene's file; one without a file has its name, if it has one.
+// Returns the label of a resource. One inside a scene has the scene's file; one without a file has its name, if it has one.
 godot::String label_of(const godot::Resource &p_resource);
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which thread may call: on the main thread, a field's ticks and frames read what its methods change. Like the engine's own nodes, a field
-// in the tree rejects calls from other threads; so does a resource that a field uses.
+// Decides which thread may call. A field's ticks and frames read, on the main thread, what its methods change. Like the engine's own nodes,
+// a field in the tree rejects calls from other threads; so does a resource that a field uses.
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>
@@ -30,11 +30,11 @@ inline godot::String call_of(const char *p_function) {
 #define GRASS_MAIN_THREAD_ONLY()                                                                                                           \
 	ERR_FAIL_COND_MSG(is_inside_tree() && !grass::is_main_thread(), grass::thread_message(label(), grass::call_of(__func__)))
 
-// The same for a method of a resource, while a node in the tree uses it. m_label: label of the resource.
+// Does the same for a method of a resource, while a node in the tree uses it. m_label: label of the resource.
 #define GRASS_CHANGE_GUARD(m_label) ERR_FAIL_COND_MSG(!grass::may_change(*this), grass::thread_message(m_label, grass::call_of(__func__)))
 
-// Put this first in a method of an object that a signal may call on any thread: on another one it has the main thread call the method with
-// these arguments, later, and returns.
+// Put this first in a method of an object that a signal may call on any thread: on another one it returns, and has the main thread call the
+// method with these arguments later.
 #define GRASS_LATER_ON_MAIN_THREAD(m_method, ...)                                                                                          \
 	if (!grass::is_main_thread()) {                                                                                                        \
 		callable_mp(this, m_method).call_deferred(__VA_ARGS__);                                                                            \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures that users give: textures and images whose texels are read. All are read here, and all have the same limit.
+// Reads all pictures that users give, textures and images, with the same limit for all.
 #pragma once
 
 #include <godot_cpp/classes/image.hpp>

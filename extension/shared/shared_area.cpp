@@ -124,7 +124,7 @@ int SharedArea::add(const Transform3D &p_transform, const Vector3 &p_half_extent
 	return int(_boxes.size()) - 1;
 }
 
-// The box stays, so that the indices of others do not change, and is used again once all have left it.
+// Removes a box. It stays in the list, so that the indices of others do not change, and is used again once all bodies have left it.
 void SharedArea::remove(int p_box, bool p_tells) {
 	Box &box = _boxes[size_t(p_box)];
 	box.is_used = false;
@@ -150,7 +150,7 @@ bool SharedArea::has_to_tell() const {
 	return std::ranges::any_of(_boxes, [](const Box &p_box) { return !p_box.is_used && p_box.is_told && p_box.overlaps > 0; });
 }
 
-// Later, since the server goes through its areas now.
+// Releases the area later, since the server is going through its areas now.
 void SharedArea::_let_go() {
 	_self = has_to_tell() ? _self : Ref<SharedArea>(); // nothing may follow this
 }

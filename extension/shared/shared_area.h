@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An area of the physics server that watches boxes. Boxes that lie side by side share one: the server does most of its work for each area
-// and for each body in it, whether anything moves or not (docs/history/0100-fields-that-rest.md).
+// An area of the physics server that watches boxes. Boxes side by side share one, since most of the server's work is for each area and for
+// each body in it, whether anything moves or not (docs/history/0100-fields-that-rest.md).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -44,7 +44,7 @@ public:
 
 	// Adds a box, and returns its index.
 	int add(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, const Listener &p_listener);
-	// p_tells: the listener still hears which bodies leave the box, even if nobody else uses the area.
+	// Removes a box. p_tells: its listener is still told which bodies leave it, even if nobody else uses the area.
 	void remove(int p_box, bool p_tells);
 	// Moves the only box. Others do not join it any more.
 	void move(int p_box, const godot::Transform3D &p_transform);

@@ -79,7 +79,7 @@ void GrassWorld::restart() {
 	update_configuration_warnings();
 }
 
-// The editor writes only when the scene is saved. Without a folder nothing can be written.
+// Returns the folders. The editor writes only when the scene is saved. Without a folder nothing can be written.
 WorldFolders GrassWorld::find_folders() const {
 	const PlotsPlace place = _properties.place();
 	return { place, label(), place.to.is_empty() || WorldProperties::is_edited() };

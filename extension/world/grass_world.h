@@ -43,11 +43,11 @@ public:
 	godot::TypedArray<GrassField> get_fields() const;
 	void shift_origin(const godot::Vector3 &p_offset);
 	int64_t save(); // returns how many plots changed; a thread writes them
-	// These move the unwritten changes to the current folders, or discard them. Both return the number of plots.
+	// Move the unwritten changes to the current folders, or discard them. Both return the number of plots.
 	int64_t carry_unsaved();
 	int64_t discard_unsaved();
 	void wait_for_files(); // until everything is written
-	// A step of an undo history: sets a plot to p_snapshot wherever that differs from p_from.
+	// Sets a plot to p_snapshot wherever that differs from p_from: a step of an undo history.
 	void restore_plot(
 			const godot::Vector2i &p_plot, const godot::Ref<GrassMapSnapshot> &p_snapshot, const godot::Ref<GrassMapSnapshot> &p_from);
 	godot::Dictionary get_statistics() const { return _report.get_statistics(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps of plots that are not written yet, each with the place that it belongs to: plots of another level, save game or size are different
+// Maps of plots that are not written yet, each with the place to which it belongs: plots of another level, save game or size are other
 // plots.
 #pragma once
 
@@ -44,8 +44,8 @@ private:
 	std::map<PlotsPlace, Maps> _maps;
 };
 
-// The size of the plots for which folders were written. A file for plots of 128 m would be used for another place in a world with 256 m,
-// and spoiled there; so such a folder is neither read nor written.
+// The size of the plots for which folders were written. In a world with plots of 256 m, a file for plots of 128 m would be shown, and
+// overwritten, at another place; so such a folder is neither read nor written.
 class FoldersOfSize {
 public:
 	void look(const PlotsPlace &p_place);

@@ -17,7 +17,7 @@ constexpr int64_t LEAST_POOL = 32;
 // cross a border.
 constexpr int64_t SPARE_SLOTS = 128;
 
-// All of p_memory is of one field, but its parts may be of two moments, since the device reports late.
+// Returns the memory without the pool. All of p_memory is of one field, but its parts may be of two moments, since the device reports late.
 size_t rest_of(const FieldMemory &p_memory) {
 	return p_memory.all > 0 ? size_t(std::max<int64_t>(p_memory.all - p_memory.shared - p_memory.pool, 1)) : 0;
 }
@@ -81,7 +81,7 @@ int64_t PlotMemory::find_most_slots() const {
 	return current_quality().scale_pool(_fields.get_pattern().pool_tiles);
 }
 
-// Each pool may grow by half of what the budget holds beside the plots under the eyes and all pools, so that two may grow at once.
+// Lets each pool grow by half of what the budget has left beside the plots under the eyes and all pools, so that two may grow at once.
 void PlotMemory::limit_pools() {
 	size_t needed = count_shared();
 	for (const PlotKey &key : std::span(_plan.wanted).first(_plan.under_eyes)) {

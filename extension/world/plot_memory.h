@@ -9,7 +9,7 @@ namespace grass {
 
 class PlotMemory {
 public:
-	// p_plots, p_fields: the world's; they must outlive this object.
+	// Measures a world. p_plots, p_fields: the world's; they must outlive this object.
 	PlotMemory(Plots &p_plots, const WorldFields &p_fields) : _plots(p_plots), _fields(p_fields) {}
 
 	// Starts with nothing measured.
@@ -19,7 +19,7 @@ public:
 	void measure();
 	void make_plan(const WorldGrid &p_grid, std::span<const WorldEye> p_eyes);
 	const WorldPlan &get_plan() const { return _plan; }
-	// Lets pools grow by what the budget has left. Other plots leave in their favour.
+	// Lets pools grow by what the budget has left, for which other plots leave.
 	void limit_pools();
 	int64_t find_most_slots() const; // that any plot may have
 	// Returns whether the plot may come now.

@@ -20,14 +20,15 @@ class WorldEyes {
 public:
 	~WorldEyes() { stop(); }
 
-	// p_changed: gets the arguments of PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed().
+	// Starts to watch bodies. p_changed: gets the arguments of PhysicsServer3D.area_set_monitor_callback, and must pass the first three to
+	// body_changed().
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
 	void stop();
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
 	// Runs a tick: checks some of the bodies, in turn.
 	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents);
 
-	// p_layers: the layers of the grass.
+	// Returns the places of the cameras. p_layers: the layers of the grass.
 	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world, uint32_t p_layers) const;
 	std::vector<Eigen::Vector2d> find_bodies() const; // awake ones
 	int64_t get_body_count() const { return int64_t(_bodies.size()); }

@@ -47,7 +47,7 @@ GrassField *WorldFields::make() {
 	return field;
 }
 
-// A problem of one plot is usually a problem of all of them, so the world reports it once.
+// Returns what the fields report their warnings to. A problem of one plot is usually one of all plots, so the world reports it once.
 FieldReport::WarningTeller WorldFields::make_teller() const {
 	return [warned_of = _warned_of, label = _label](const String &p_warning) {
 		if (warned_of->insert(p_warning.utf8().get_data()).second) {

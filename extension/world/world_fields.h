@@ -42,7 +42,7 @@ public:
 	void stop();
 
 	const Pattern &get_pattern() const { return _pattern; }
-	// Returns where plots' maps will be shown, for which they are prepared; nothing until it is known. Scripts of the scene may run:
+	// Returns where plots' maps will be shown, so that they are prepared for it; nothing until it is known. Scripts of the scene may run:
 	// afterwards this object may be gone, with the world.
 	const std::optional<MapPlace> &get_place() const { return _place; }
 	void find_place();
@@ -54,8 +54,8 @@ public:
 	// from the tree; afterwards this object may be gone, with the world.
 	GrassField *take();
 	const godot::Node3D &get_world() const { return _world; }
-	// Takes back the field of a plot that has left. p_keeps: it may wait for the next plot. One that a script has removed from the tree is
-	// the game's.
+	// Takes back the field of a plot that has left. p_keeps: it may wait for the next plot. One that a script has removed from the tree
+	// belongs to the game.
 	void give_back(GrassField *p_field, bool p_keeps);
 	void free_spare(); // one of them
 	int64_t get_made() const { return _made; } // since start()

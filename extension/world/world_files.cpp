@@ -74,7 +74,7 @@ void WorldFiles::work() {
 	}
 }
 
-// Outside the tree no thread runs, so this writes at once.
+// Adds a job. Outside the tree no thread runs, so it is done at once.
 void WorldFiles::add(Job &&p_job) {
 	if (!_thread.valid()) {
 		p_job.run();
@@ -123,7 +123,7 @@ void WorldFiles::change(const PlotKey &p_key, const PaintMap &p_default, const s
 		 } });
 }
 
-// Another place's maps would spoil those that this world has in the same folder.
+// Returns whether a place may be written: another place's maps would spoil those that this world has in the same folder.
 bool WorldFiles::may_write(const PlotsPlace &p_place) const {
 	return !p_place.to.is_empty() &&
 			(p_place == _folders.place ? !_sizes.has_wrong_to() : real_path(p_place.to) != real_path(_folders.place.to));

@@ -50,16 +50,16 @@ public:
 	void start(const WorldFolders &p_folders);
 	// Waits until everything is written, and ends the thread.
 	void stop();
-	// p_ask: returned with it; p_default: where there is no file. p_place: what field it is for.
+	// Requests a plot's map. p_ask: is returned with it; p_default: the map if there is no file; p_place: the field that it is for.
 	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const MapPlace &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Changes a plot that is not in memory, and writes it.
 	void change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change);
 	// Writes the kept maps, each to its own folder.
 	void write_kept();
-	// Only while no thread runs. Moves what is kept for other folders to the current ones. Returns the number of plots.
+	// Moves, while no thread runs, what is kept for other folders to the current ones. Returns the number of plots.
 	int64_t carry_kept();
-	// Only while no thread runs. Forgets what is kept. Returns the number of plots.
+	// Forgets, while no thread runs, what is kept. Returns the number of plots.
 	int64_t discard_kept();
 	void discard_kept_elsewhere();
 	int64_t count_writable() const; // number of kept plots that write_kept() has a folder for

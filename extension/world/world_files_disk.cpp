@@ -51,7 +51,7 @@ PackedStringArray WorldFiles::find_plots(const String &p_folder) {
 	return plots;
 }
 
-// What lies outside of the plot is not its own, and a file that holds it would be refused.
+// Keeps or writes a map, without what lies outside of the plot: a file with that would be refused.
 void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
 	PaintMap map = p_map;
 	if (const int64_t count = crop(map, limits()); count > 0) {
@@ -67,7 +67,7 @@ void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
 	}
 }
 
-// A plot's map covers the plot, and what blends into its border.
+// Returns the limits of a plot's map, which covers the plot and what blends into its border.
 ReadLimits WorldFiles::limits() const {
 	ReadLimits limits = get_read_limits();
 	const double half = 0.5 * _folders.place.plot_size;
@@ -75,7 +75,7 @@ ReadLimits WorldFiles::limits() const {
 	return limits;
 }
 
-// What is kept is newer than any file.
+// Returns a plot's map. One that is kept is newer than any file.
 PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	PackedByteArray kept;
 	{
@@ -96,7 +96,7 @@ PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	return map;
 }
 
-// False, and r_map stays as it was, where there is none that can be read.
+// Reads a file. Returns false, and leaves r_map as it was, if there is none that can be read.
 bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	if (!FileAccess::file_exists(p_path)) {
 		return false;
@@ -117,7 +117,7 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	return reason.empty();
 }
 
-// What cannot be written is kept.
+// Writes a file. A map that cannot be written is kept.
 void WorldFiles::write_file(const PlotsPlace &p_place, const PlotKey &p_key, const PackedByteArray &p_data) {
 	const String path = path_of(p_place.to, p_key);
 	bool is_refused = false;

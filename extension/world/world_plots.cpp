@@ -135,7 +135,7 @@ int64_t WorldPlots::save() {
 	return count;
 }
 
-// A plot that is being read is read again, since the earlier request returns its old state.
+// Restores a plot. One that is being read is read again, since the earlier request returns its old state.
 void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to) {
 	const bool has_terrain = _fields.get_pattern().has_terrain;
 	const auto change = [from = kept_of(p_from, has_terrain), to = kept_of(p_to, has_terrain)](

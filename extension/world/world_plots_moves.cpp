@@ -22,8 +22,8 @@ void WorldPlots::tell_once(bool &r_has_told, const PlotKey &p_key, const char *p
 	}
 }
 
-// A script may have freed a field: then its plot is loaded again, unless that would go on for ever. One that is taken before its grass is
-// there leaves the plot empty.
+// Looks after fields that a script may have freed: such a plot is loaded again, unless that would go on for ever. One that is taken before
+// its grass is there leaves the plot empty.
 void WorldPlots::look_after_fields() {
 	std::erase_if(_plots, [](const auto &p_entry) {
 		const auto &[key, plot] = p_entry;
@@ -127,7 +127,7 @@ void WorldPlots::bring(PlotKey p_key) {
 	_statistics.brought++;
 }
 
-// A plot that was read and is no longer wanted is only forgotten, like one whose field a listener has just freed.
+// Lets one plot leave. One that was read and is no longer wanted is only forgotten, like one whose field a listener has just freed.
 void WorldPlots::leave_one() {
 	const std::vector<PlotKey> leaving = _memory.get_plan().leaving; // listeners may restart the world
 	const bool is_all_here = std::ranges::all_of(_memory.get_plan().wanted, [this](const PlotKey &p_key) {

@@ -128,7 +128,7 @@ void WorldReport::print_warnings() {
 	}
 }
 
-// In the editor the user was asked when the scene was closed.
+// Prints what was lost. In the editor the user was asked when the scene was closed.
 void WorldReport::print_loss() const {
 	const int64_t kept = WorldProperties::is_edited() ? 0 : _plots.get_files().get_statistics().kept;
 	if (kept > 0) {

@@ -114,6 +114,18 @@ func grown(field: GrassField) -> void:
 	)
 
 
+## Waits for frames until every plot that a world wants stands.
+func loaded(world: GrassWorld) -> void:
+	var calm := [0]
+	await wait_until(
+		func() -> bool:
+			var now := world.get_statistics()
+			calm[0] = calm[0] + 1 if now.waiting == 0 and now.files_waiting == 0 and now.plots > 0 else 0
+			return calm[0] > 4,
+		"all plots are loaded"
+	)
+
+
 ## Adds `body` to the tree at `place` with `shape`, or without a shape if that is null.
 func add_body(body: PhysicsBody3D, shape: Shape3D, place: Vector3) -> PhysicsBody3D:
 	if shape:
@@ -141,6 +153,12 @@ func add_held_body(shape: Shape3D, place: Vector3) -> AnimatableBody3D:
 func ball(radius: float) -> SphereShape3D:
 	var shape := SphereShape3D.new()
 	shape.radius = radius
+	return shape
+
+
+func box(size: Vector3) -> BoxShape3D:
+	var shape := BoxShape3D.new()
+	shape.size = size
 	return shape
 
 

@@ -32,12 +32,6 @@ func _add_exclusion(shape: Shape3D, place: Vector3) -> GrassExclusion3D:
 	return exclusion
 
 
-func _box(size: Vector3) -> BoxShape3D:
-	var box := BoxShape3D.new()
-	box.size = size
-	return box
-
-
 ## Waits until the live rule has checked the scene and filled the changed places.
 func _follow() -> void:
 	await frames(20)

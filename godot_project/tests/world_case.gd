@@ -57,18 +57,6 @@ func add_world(properties := {}) -> GrassWorld:
 	return world
 
 
-## Frames until every plot that is wanted stands.
-func loaded(world: GrassWorld) -> void:
-	var calm := [0]
-	await wait_until(
-		func() -> bool:
-			var now := world.get_statistics()
-			calm[0] = calm[0] + 1 if now.waiting == 0 and now.files_waiting == 0 and now.plots > 0 else 0
-			return calm[0] > 4,
-		"all plots are loaded"
-	)
-
-
 func go(world: GrassWorld, place: Vector3) -> void:
 	eye.global_position = world.to_global(place) + Vector3(0, 2, 0)
 	await loaded(world)

@@ -105,7 +105,7 @@ struct Choice {
 
 #include "lod/room.inc"
 
-// Fields of millions of tiles take more workgroups than fit in one row.
+// Returns the number of this thread. Fields of millions of tiles take more workgroups than fit in one row.
 uint find_thread() {
 	uint groups = (phase.y - 1u) / uint(GRASS_CULL_GROUP) + 1u;
 	return gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * grass_row_width(groups) * uint(GRASS_CULL_GROUP);
@@ -123,8 +123,8 @@ Tile find_tile() {
 	return tile;
 }
 
-// p_least: width that a blade has at least; p_error: how far it may be from its curve; p_near: of the near plane; all in metres.
-// p_in_sight: grass_lod_in_sight().
+// Adds what one camera needs in a tile. p_least: the least width of a blade; p_error: how far it may be from its curve; p_near: distance of
+// the near plane; all in metres. p_in_sight: grass_lod_in_sight().
 void add_need(inout Need r_need, float p_distance, float p_least, float p_error, float p_near, float p_in_sight) {
 	float by_distance = grass_lod_blades(p_distance, p_near, view.lod.x);
 	float by_width = grass_lod_blades_of_width(view.blades.y, p_least);
@@ -147,8 +147,8 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 
 #include "lod/casts.inc"
 
-// [Eq L7] [Eq L9] The share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of it in a
-// pixel.
+// [Eq L7] [Eq L9] Returns the share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of
+// it in a pixel.
 float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p_slope) {
 	float height = p_cut < GRASS_UNCUT ? min(view.blades.z, p_cut) : view.blades.z;
 	float cover = p_grown * grass_lod_cover(view.blades.y, height, view.field.z);
@@ -156,7 +156,7 @@ float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p
 	return share * grass_lod_ends(height / (view.lod.z * p_pixel), share, view.blades.w);
 }
 
-// The detail that the cameras need in a tile, for the picture and for shadows.
+// Finds the detail that the cameras need in a tile, for the picture and for shadows.
 void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 	r_seen = r_casting = Need(0.0, 0.0, 0.0);
 	Cover cover = Cover(0.0, 0.0, 1.0, GRASS_UNCUT, 0.0); // TileCover::FULL
@@ -214,7 +214,7 @@ void write_command(int p_level) {
 	imageStore(drawn_tiles, ivec2(p_level, 0), vec4(float(first_place(p_level)), 0.0, 0.0, 0.0));
 }
 
-// Before a barrier.
+// Fills the tables of levels. Must be followed by a barrier.
 void share_levels(int p_thread) {
 	if (p_thread < GRASS_ALL_LEVELS) {
 		level_meshes[p_thread] = uint(GRASS_SEGMENTS_OF[p_thread]) | (uint(GRASS_BLADES_OF[p_thread]) << LEVEL_SEGMENT_BITS);
@@ -231,14 +231,14 @@ void clear_group(int p_thread) {
 	}
 }
 
-// GRASS_CULL_COUNT: adds the workgroup's counts to those of all tiles.
+// In GRASS_CULL_COUNT, adds the workgroup's counts to those of all tiles.
 void count_tiles_of_group(int p_thread) {
 	if (p_thread < GRASS_ALL_LEVELS && group_tiles[p_thread] > 0u) {
 		atomicAdd(counted[p_thread], group_tiles[p_thread]);
 	}
 }
 
-// GRASS_CULL_WRITE: takes a stretch of each level for the workgroup's tiles.
+// In GRASS_CULL_WRITE, takes a stretch of each level for the workgroup's tiles.
 void take_stretches(int p_thread) {
 	if (p_thread < 2 && group_blades[p_thread] > 0u) {
 		atomicAdd(blades_written[p_thread], group_blades[p_thread]);
@@ -253,7 +253,7 @@ void take_stretches(int p_thread) {
 	}
 }
 
-// p_end: end of the places in its list.
+// Writes a chosen tile into the list of drawn ones. p_end: end of the places in its list.
 void write_tile(Tile p_tile, Choice p_choice, int p_slot, uint p_end) {
 	if (p_choice.level < 0 || group_first[p_choice.level] + p_choice.place >= p_end) {
 		return;
@@ -269,7 +269,7 @@ void write_tile(Tile p_tile, Choice p_choice, int p_slot, uint p_end) {
 			vec4(float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash, float(high) + covering));
 }
 
-// GRASS_CULL_BEGIN: writes the identity transform.
+// In GRASS_CULL_BEGIN, writes the identity transform.
 void begin_instance(uint p_instance) {
 	for (uint i = 0u; i < uint(GRASS_LISTED_FLOATS); i++) {
 		float value = i == 0u || i == 5u ? 1.0 : 0.0;

@@ -11,7 +11,7 @@ layout(push_constant) uniform Count {
 	uvec4 count; // x: blades; yzw unused
 };
 
-// Blades by slot: GRASS_BLADES_PER_TILE times the slot, and the blade's place in the tile. Written by the CPU when others are asked for.
+// Blades by slot: GRASS_BLADES_PER_TILE times the slot, and the blade's place in the tile. Written by the CPU when others are requested.
 layout(set = 0, binding = GRASS_GATHER_BLADES, std430) readonly buffer BladeBuffer {
 	uint blades[];
 };

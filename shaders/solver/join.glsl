@@ -1,8 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Poses blades as the simulated ones of their tile: those that join them since a camera has come nearer, and those that follow them in
-// each step. One workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step. Twin of
-// core/solver/join.h.
+// Gives blades the poses of the simulated ones of their tile: blades that join these since a camera has come nearer, and blades that follow
+// them in each step. One workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step.
+// Twin of core/solver/join.h.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 
@@ -53,7 +53,7 @@ void find_blade(uint p_number) {
 	find_growth(places[p_number]);
 }
 
-// Of the first p_count blades.
+// Returns the nearest of the first p_count blades.
 uint find_nearest(vec2 p_place, uint p_count) {
 	uint nearest = 0u;
 	float least = 1e30;
@@ -78,8 +78,8 @@ Bent bent_of(int p_knot, bool p_has_strains) {
 	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), twist);
 }
 
-// [Eq 50] How far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the halves:
-// what was now in the step before is `before` in this one.
+// [Eq 50] Returns how far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the
+// halves: what was current in the step before is `before` in this one.
 Bent alone_of(int p_k, vec3 p_rest, vec3 p_moved) {
 	vec3 last = step.contact.x >= 1.0 ? before_of(p_k) : start_of(p_k);
 	return Bent(last - p_rest + p_moved, p_moved, start_twist_of(p_k - 1));
@@ -94,7 +94,7 @@ void copy_strains(Blade p_from, Blade p_to) {
 	}
 }
 
-// [Eq 49]
+// [Eq 49] Lets the thread's blade join p_other.
 void join_blade(uint p_other) {
 	Blade own = blade;
 	vec3 parent = rest_of(1), parent_rest = parent, parent_offset = vec3(0.0);

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes one that is not. A workgroup has
-// one tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.h.
+// Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes another that is not. A workgroup
+// has one tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.h.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
@@ -173,7 +173,7 @@ vec3 width_at_root() {
 #define GRASS_ROLLED(m_count) ROLLED(m_count)
 #include "strain/leave.inc"
 
-// [Eq W6] The effect of forces on the blade. Called in one place: each copy costs registers.
+// [Eq W6] Finds the effect of forces on the blade. Called in one place: each copy costs registers.
 void find_air_load() {
 	vec4 air = air_of_forces(root_of_blade());
 	float pbd = METHOD == GRASS_METHOD_PBD ? OWN_STEP.free_motion.x * OWN_STEP.free_motion.x : 1.0;
@@ -207,7 +207,7 @@ bool find_tile(uvec4 p_group, uint p_thread) {
 	return !MANY || (tile < p_group.z && (slot.list.w & GRASS_SLOT_RETIRED) == 0u);
 }
 
-// One step of the workgroup's tiles. All of its threads call it together.
+// Steps the workgroup's tiles. All of its threads call it together.
 void step_tiles(uvec4 p_group) {
 	Stage stage;
 	uint thread = gl_LocalInvocationID.x, lanes = MANY ? p_group.y : uint(GRASS_BLADES_PER_TILE), lane = thread % lanes;

@@ -117,7 +117,7 @@ bool is_near(vec3 p_root, float p_low, float p_high) {
 	return false;
 }
 
-// [Eq L13] The share of the tile's plants that is drawn. p_plants: of the species, on the tile; p_middle: of its box.
+// [Eq L13] Returns the share of the tile's plants that is drawn. p_plants: of the species, on the tile; p_middle: of its box.
 float share_of(float p_plants, Cover p_cover, vec3 p_middle) {
 	float height = min(map.z, p_cover.cut);
 	float cover = p_plants * p_cover.grown * map.w * height / map.z;

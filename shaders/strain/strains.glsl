@@ -71,7 +71,7 @@ GrassSlot slot; // of this thread's tile
 #include "solver/constants.inc"
 #include "strain/constants.inc"
 #include "strain/basis.inc"
-// Of basis.inc, written and read by all threads of a step: a card fetches a number of a shared array quickly, by whichever joint.
+// The table of basis.inc, written and read by all threads of a step: a card quickly fetches a number of a shared array for any joint.
 shared float joint_turns[GRASS_STRAIN_JOINTS * GRASS_STRAIN_ORDERS];
 #define GRASS_JOINT_TURN(m_joint, m_order) joint_turns[((m_joint) - 1) * GRASS_STRAIN_ORDERS + (m_order)]
 #include "solver/weights.inc"
@@ -124,7 +124,7 @@ int knot_of_mass(int p_mass) {
 	return GRASS_STRAIN_FIRST_MASS + 2 * p_mass;
 }
 
-// What step.inc asks for.
+// The functions that step.inc needs.
 float mass_of(StrainSection p_section, int p_mass) {
 	return section_numbers[OWN_SECTION + 2 * GRASS_STRAIN_SPRINGS + p_mass];
 }
@@ -149,7 +149,8 @@ vec3 mass_now(StrainBlade p_blade, int p_mass) {
 vec3 mass_before(StrainBlade p_blade, int p_mass) {
 	return before_of(knot_of_mass(p_mass));
 }
-// The halves change roles after the step: what is now becomes what was before, and is written only where less than all of it does.
+// Moves the blade to its next numbers. The halves change roles after the step: what is current becomes what was before, and is written only
+// if less than all of it does.
 void move_to(inout StrainBlade r_blade, Strains p_next, float p_share) {
 	[[unroll]]
 	for (int n = 0; n < GRASS_STRAINS; n++) {
@@ -170,7 +171,7 @@ void put_knot(inout StrainBlade r_blade, int p_knot, vec3 p_rest, vec3 p_place, 
 	imageStore(pool_texture, pool_texel(p_knot), vec4(p_place - p_rest, p_twist));
 }
 
-// Kept where the masses of the step before are, which have been read then.
+// Keeps a force where the masses of the step before are, which have been read by then.
 void put_force(inout StrainBlade r_blade, int p_mass, vec3 p_force) {
 	set_before(knot_of_mass(p_mass), p_force);
 }
@@ -180,7 +181,7 @@ vec3 force_on(StrainBlade p_blade, int p_mass) {
 
 #include "strain/step.inc"
 
-// What take_chain.inc asks for. The numbers are written over the twists.
+// The functions that take_chain.inc needs. The numbers are written over the twists.
 float twist_of(StrainBlade p_blade, int p_joint) {
 	return start_twist_of(p_joint);
 }
@@ -207,7 +208,7 @@ StrainSection load_section() {
 	}
 	return section;
 }
-// p_air: of air_of_forces().
+// Returns the step of this thread's blade. p_air: by air_of_forces().
 StrainStep make_strain_step(vec4 p_air) {
 	float swing = step.chain.x * WILD;
 	return StrainStep(OWN_STEP.load.xyz + p_air.xyz, OWN_STEP.free_motion.x, step.chain.y, (OWN_STEP.chain.w + p_air.w) * step.chain.x,
@@ -219,7 +220,7 @@ void find_blade(uint p_number) {
 	take_blade(p_number);
 	find_growth(texelFetch(patch_texture, patch_texel(0), 0).xy);
 }
-// [Eq W6] Of the forces on the tile. Called where few other values are needed afterwards: each of them would take a register.
+// [Eq W6] Returns air_of_forces() of the blade. Called where few other values are needed afterwards: each of them would take a register.
 vec4 find_air() {
 	if (slot.list.w >> GRASS_SLOT_FORCES == 0u) {
 		return vec4(0.0);

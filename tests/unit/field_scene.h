@@ -34,6 +34,7 @@ public:
 		method = Method(int(p_input.step.contact.w));
 		slots.assign(p_input.slots.begin(), p_input.slots.end());
 		followers.assign(p_input.followers.begin(), p_input.followers.end());
+		grown = p_input.growth.size();
 		steps++;
 		time.count += time.ms > 0.0 ? 1 : 0;
 	}
@@ -68,6 +69,7 @@ public:
 	Method method = Method::DIRECT; // of the last step
 	std::vector<GrassSlot> slots; // likewise
 	std::vector<GrassSlot> followers; // likewise
+	size_t grown = 0; // tiles, likewise
 	StepTime time; // of steps; 0 ms: the device measures none
 	std::vector<GrassSlot> joined;
 	static constexpr int PREPARING = 5; // calls of prepare_pool(), two a tick

@@ -87,4 +87,7 @@ TEST_CASE("bare cause: a hand, wear, a low height and a cut are told apart from 
 	CHECK(cause_at(map, &rule, {}, 55.5, 0.5).kind == BareKind::MAP);
 	set(MAP_DENSITY, 0, 120, 252);
 	CHECK(cause_at(map, &rule, {}, 60.5, 0.5).kind == BareKind::RULE);
+	FillRule at_obstacles = rule; // and leaves all other places as they are
+	at_obstacles.only_at_obstacles = true;
+	CHECK(cause_at(map, &at_obstacles, {}, 60.5, 0.5).kind == BareKind::MAP);
 }

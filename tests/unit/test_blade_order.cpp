@@ -50,6 +50,12 @@ TEST_CASE("blade order: most work first, those with the same in their places, th
 	}
 }
 
+TEST_CASE("blade order: scattered blades with the same work share lanes") {
+	std::vector<uint8_t> work(BLADES, WORK_NONE);
+	work[2] = work[21] = work[40] = WORK_FREE;
+	CHECK(of_order(order_blades(work, 8)) == std::vector<int>{ 2, 21, 40 });
+}
+
 TEST_CASE("blade order: blades stay in their places if no group is saved") {
 	std::vector<uint8_t> work(BLADES, WORK_FREE), places(BLADES);
 	work[3] = work[62] = WORK_NONE;

@@ -49,6 +49,7 @@ TEST_CASE("copied_area: a rectangle is pasted up to its sides, with the density 
 	from.set_base_density(1.0);
 	const CopiedArea area{ from, { 0, 0 }, { 3, 2 }, false };
 	CHECK(area.area() == 24.0);
+	map.set_code(MAP_TINT, 0, 100, 0, 9);
 	paste_area(area, { 100, 0 }, same_number, map);
 	CHECK(map.get_code(MAP_DENSITY, 0, 194, -4) == 255);
 	CHECK(map.get_code(MAP_DENSITY, 0, 205, 3) == 255);

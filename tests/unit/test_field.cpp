@@ -5,6 +5,7 @@
 
 #include "core/field/canopy.h"
 #include "core/field/grass_at.h"
+#include "core/map/map_layers.h"
 
 #include <limits>
 
@@ -122,6 +123,38 @@ TEST_CASE("field: ticks that nobody sees are left out, unless somebody listens, 
 	CHECK_FALSE(scene.field.is_seen());
 	scene.field.see(scene.simulator, FieldView(), true); // a world without a camera
 	CHECK(scene.field.is_seen());
+}
+
+TEST_CASE("field: the blades of an awake tile are looked up when it wakes, and again only where the map changed") {
+	FieldScene scene;
+	PaintMap map;
+	map.set_base_density(1.0);
+	MapLayers layers({ scene.setup.grid });
+	layers.update(map, layers.get_region());
+	scene.field.set(scene.setup, scene.field.bounds_of(scene.setup), &layers, {}, scene.params);
+	scene.put_ball({ 0.0, 0.2, 0.0 }); // on four tiles
+	scene.tick();
+	REQUIRE(scene.simulator.grown == 4);
+	scene.tick();
+	CHECK(scene.simulator.grown == 0);
+	scene.field.regrow({ 8, 9, 0, 16 });
+	scene.tick();
+	CHECK(scene.simulator.grown == 2);
+}
+
+TEST_CASE("field: tiles that would have fallen asleep while nobody saw them are at rest once somebody does") {
+	FieldScene scene;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.ticks(5);
+	scene.bodies.clear();
+	REQUIRE(scene.field.get_tiles().get_statistics().awake > 0);
+	scene.field.see(scene.simulator, make_view(false), true);
+	for (int i = 0; i < 60; i++) {
+		CHECK_FALSE(scene.tick());
+	}
+	scene.field.see(scene.simulator, make_view(true), true);
+	CHECK(scene.tick());
+	CHECK(std::ranges::all_of(scene.simulator.slots, [](const GrassSlot &p_slot) { return p_slot.list.w & GRASS_SLOT_RETIRED; }));
 }
 
 TEST_CASE("field: while the simulation compiles grass stands, and who listens still hears of bodies in it") {

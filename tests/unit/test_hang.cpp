@@ -162,6 +162,7 @@ TEST_CASE("Hang: stems that share a root hang as they are turned") {
 	for (int stem = 0; stem < 4; stem++) { // each of them, wherever it points
 		double drop = 0.0;
 		for (int b = stem; b < GRASS_PATCH_BLADES; b += 4) {
+			CHECK(knot_of(wall, b, 0) == knot_of(level, b, 0)); // at its root, and turned as without the pull
 			const Eigen::Vector3d change = knot_of(wall, b, GRASS_KNOTS - 1) - knot_of(level, b, GRASS_KNOTS - 1);
 			drop += (WALL * change).y() / length_of(level, b) / (GRASS_PATCH_BLADES / 4);
 		}

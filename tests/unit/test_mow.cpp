@@ -126,6 +126,14 @@ TEST_CASE("cut_grass: what falls of each species is its own height") {
 	CHECK(cut_grass(map, { &deck }, kind).volume == doctest::Approx(0.05 + 0.3).epsilon(0.03));
 }
 
+TEST_CASE("cut_grass and mown_share: no grass grows in a hole, so none falls there") {
+	PaintMap map = meadow();
+	map.set_code(MAP_HOLE, 0, 0, 0, 1); // a square metre, half of it below the deck
+	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }));
+	CHECK(cut(map, deck).area == doctest::Approx(1.5));
+	CHECK(mown_share(map, square(1.0), KIND) == doctest::Approx(1.5 / 3.0));
+}
+
 TEST_CASE("cut_grass: a sword cuts, however thin") {
 	PaintMap map = meadow();
 	const CutResult result = cut(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })));
@@ -139,7 +147,12 @@ TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves
 	Brush brush;
 	brush.tool = MapTool::FLATTEN;
 	brush.target = 0.8;
-	apply_brush(map, MapShape::stroke({ 0, 0 }, { 0, 0 }, 3.0, 1.0, Falloff::LINEAR), brush);
+	const MapShape disc = MapShape::stroke({ 0, 0 }, { 0, 0 }, 3.0, 1.0, Falloff::LINEAR);
+	apply_brush(map, disc, brush);
+	brush.target = 1.0;
+	brush.strength = 0.01; // less than a code
+	apply_brush(map, disc, brush);
+	REQUIRE(map.uses(MAP_WEAR_REST));
 	regrow_grass(map, square(1.0), KIND, 0.05, 0.3);
 	CHECK(map.get_code(MAP_CUT, 0, 0, 0) == 15);
 	CHECK(map.get_code(MAP_CUT, 0, 3, 0) == 10);

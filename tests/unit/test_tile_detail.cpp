@@ -5,10 +5,12 @@
 #include "pool_scene.h"
 
 #include "core/lod/cull.h"
+#include "core/solver/join.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <utility>
 
@@ -217,6 +219,23 @@ TEST_CASE("[Eq 49] blades that join have their neighbour's pose and speed, and t
 	scene.step();
 	CHECK(scene.pool.get_knots(0, 40)[GRASS_KNOTS - 1].allFinite());
 	CHECK((scene.pool.get_knots(0, 40)[GRASS_KNOTS - 1] - before).norm() < 0.1f);
+}
+
+TEST_CASE("[Eq 49] a blade that joins moves as many times as far in a step as it is longer than its neighbour") {
+	auto state = std::make_unique<TileState>(); // all at the same root
+	for (int k = 0; k < GRASS_KNOTS; k++) {
+		state->rest[1][k][0] = 0.02f * float(k);
+		state->rest[1][k][1] = 0.05f * float(k);
+	}
+	for (int free = 0; free < GRASS_FREE_KNOTS; free++) {
+		state->knots[1][free][0] = state->before[1][free][0] = state->rest[1][free + GRASS_CLAMPED_KNOTS][0];
+		state->knots[0][free][0] = 0.004f * float(free);
+		state->before[0][free][0] = 0.003f * float(free);
+	}
+	join_blades(*state, { 1, 1, 2 });
+	for (int free = 0; free < GRASS_FREE_KNOTS; free++) {
+		CHECK(state->knots[0][free][1] - state->before[0][free][1] == doctest::Approx(2.5 * 0.001 * free).epsilon(1e-3));
+	}
 }
 
 TEST_CASE("contact_distance: contact is finer where an eye is near, and as at its least elsewhere, bit for bit") {

@@ -137,7 +137,7 @@ void forget_singleton(void *p_wrapper) {
 	std::erase_if(singletons, [](Singleton *p_singleton) { return !p_singleton->object.load(); });
 }
 
-// The engine's singletons outlive the library, so their wrappers must go before it does.
+// Frees the wrappers of the engine's singletons, which outlive the library.
 void free_singletons() {
 	std::vector<GodotObject *> owners;
 	{

@@ -44,7 +44,7 @@ struct Documentation {
 };
 Documentation documentation;
 
-// In the engine's log where there is one already, and on standard error before.
+// Refuses to load, with a message in the engine's log if there is one already, otherwise on standard error.
 bool refuse(const char *p_text) {
 	if (engine::print_error) {
 		engine::print_error(p_text, __FUNCTION__, __FILE__, __LINE__, true);

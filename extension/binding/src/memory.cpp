@@ -33,7 +33,7 @@ void *operator new(size_t p_bytes, ::godot::DefaultAllocator) {
 	return ::godot::Memory::alloc_static(p_bytes);
 }
 
-// Only reached when a constructor throws.
+// Is called only when a constructor throws.
 void operator delete(void *p_memory, ::godot::DefaultAllocator) {
 	::godot::Memory::free_static(p_memory);
 }

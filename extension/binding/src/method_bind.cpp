@@ -64,7 +64,7 @@ int compare(const CallableMethod *p_a, const CallableMethod *p_b) {
 	return memcmp(p_a->identity, p_b->identity, p_a->identity_size);
 }
 
-// FNV-1a.
+// Hashes by FNV-1a.
 uint32_t hash_of(const CallableMethod *p_method) {
 	const unsigned char *bytes = static_cast<const unsigned char *>(p_method->identity);
 	uint32_t hash = 2166136261u;

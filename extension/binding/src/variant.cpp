@@ -9,7 +9,7 @@ namespace engine = gdextension_interface;
 
 namespace {
 
-// The engine's conversion functions take no const, though they change nothing.
+// Converts to a Variant. The engine's conversion functions take no const, though they change nothing.
 void to_variant(GDExtensionVariantType p_type, void *r_variant, const void *p_value) {
 	internal::builtin_types[p_type].to_variant(r_variant, const_cast<void *>(p_value));
 }
@@ -198,7 +198,7 @@ GODOT_TEXT(Projection)
 GODOT_TEXT(Color)
 #undef GODOT_TEXT
 
-// What the engine's renderer takes for the curve of sRGB.
+// Converts by the curve that the engine's renderer takes for that of sRGB.
 Color Color::srgb_to_linear() const {
 	const auto linear = [](float p_x) {
 		return p_x < 0.04045f ? p_x * (1.0f / 12.92f) : std::pow(static_cast<float>((p_x + 0.055) * (1.0 / 1.055)), 2.4f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work beside the frames: on a thread of its own, or at once where the library may start none (Web without threads, where a page that
-// tries to start one ends). Nothing else in the library starts threads; the layer `format` looks for that.
+// Work beside the frames: on a thread of its own, or at once where the library must not start threads (on the Web without threads, starting
+// one ends the page). Nothing else in the library starts threads; the layer `format` looks for that.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline constexpr bool HAS_THREADS = false;
 inline constexpr bool HAS_THREADS = true;
 #endif
 
-// Begins p_work, and returns its result to come. Without threads the work has ended when this returns.
+// Begins p_work, and returns the future of its result. Without threads the work has ended when this returns.
 template <bool ON_THREAD = HAS_THREADS, class Work> auto run_beside(Work p_work) {
 	if constexpr (ON_THREAD) {
 		return std::async(std::launch::async, std::move(p_work));

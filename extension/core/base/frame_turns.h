@@ -13,7 +13,7 @@ public:
 	void enter_frame(uint64_t p_frame);
 	// Returns whether p_user may do a piece of work now. p_has_room: the frame has time for it.
 	bool ask(const void *p_user, bool p_has_room);
-	// Returns whether another user has waited since an earlier frame and should get this frame's piece of work.
+	// Returns whether another user has waited since an earlier frame, and should get this frame's piece of work.
 	bool is_owed(const void *p_user) const;
 
 private:

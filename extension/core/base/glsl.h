@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Enough of GLSL for C++ to compile the shared texts in shaders/: blades/, detail/ and map/growth.inc, which the compute passes, the blade
+// Enough of GLSL for C++ to compile the shared texts in shaders/: blades/, lod/ and map/growth.inc, which the compute passes, the blade
 // shader and the core all use. Such a text uses constructors in place of swizzles, literals with an f, float() around numbers of
 // constants.inc, and GRASS_FUNCTION before each function. Everything rounds as Eigen's expressions of the same form do.
 #pragma once

@@ -140,14 +140,15 @@ template <int N> GRASS_INLINE bool any(const LaneMask<N> &p_mask) {
 #endif
 }
 
-// Logical "and" and "or", since lanes have no && and ||.
+// Return the logical "and" and "or", since lanes have no && and ||.
 template <class Mask> GRASS_INLINE Mask both(const Mask &p_a, const Mask &p_b) {
 	return p_a & p_b;
 }
 template <class Mask> GRASS_INLINE Mask either(const Mask &p_a, const Mask &p_b) {
 	return p_a | p_b;
 }
-// select() inside a branch that runs if any mask is true. A single blade enters only if its own mask is true, so it selects nothing.
+// Selects inside a branch that runs if any mask is true. A single blade enters it only if its own mask is true, so there is nothing to
+// select.
 template <class Mask, class Value> GRASS_INLINE Value in_lanes(const Mask &p_mask, const Value &p_a, const Value &p_b) {
 	return select(p_mask, p_a, p_b);
 }

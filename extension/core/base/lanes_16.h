@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Masks for sixteen blades, which differ from those in lanes.h. Uses intrinsics, since compilers do not turn plain comparisons into AVX-512
-// masks.
+// Masks for sixteen blades, which differ from those in lanes.h. Uses intrinsics, since compilers do not turn plain comparisons into masks
+// of AVX-512.
 #pragma once
 
 #include "core/base/lanes.h"

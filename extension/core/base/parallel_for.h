@@ -16,7 +16,7 @@ constexpr size_t count_blocks(size_t p_elements) {
 	return (p_elements + PARALLEL_BLOCK - 1) / PARALLEL_BLOCK;
 }
 
-// The serial version: makes the calls one after the other on the calling thread.
+// Makes the calls one after the other on the calling thread.
 inline void serial_for(int p_count, const std::function<void(int)> &p_body) {
 	for (int i = 0; i < p_count; i++) {
 		p_body(i);

@@ -7,7 +7,7 @@
 //  12  u32      bytes of the key
 //  16  u32      bytes of the shader
 //  20  u32      checksum of all above and all below
-//  24           the key: all that the shader was made of and for, as text
+//  24           the key: everything that the shader was made of and for, as text
 //               the shader
 #pragma once
 
@@ -44,7 +44,7 @@ struct KeptFile {
 	uint64_t written = 0; // time of writing, seconds
 	auto operator<=>(const KeptFile &) const = default;
 };
-// Returns the names of the oldest files, so many that p_most are left without them.
+// Returns the names of the oldest files, as many as must go to leave p_most.
 std::vector<std::string> surplus_files(std::vector<KeptFile> p_files, size_t p_most);
 
 } // namespace grass

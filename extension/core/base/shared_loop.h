@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A loop whose calls several threads take one after another, until none is left.
 //
-// It waits with a mutex and a condition variable, as everything in this library does: where the system has no futex (Windows), the wait of
-// a std::atomic in GCC 12 misses a notification that comes between its look and its sleep, and then sleeps for ever.
+// It waits with a mutex and a condition variable, as everything in this library does: where the system has no futex (Windows), a waiting
+// std::atomic of GCC 12 misses a notification that comes after it has looked and before it sleeps, and then sleeps for ever.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ public:
 			_body(_count - left);
 		}
 	}
-	// The same on another thread, at any time: once all calls have begun it does not touch the body.
+	// Does the same on another thread, at any time: once all calls have begun it does not touch the body.
 	void help() {
 		{
 			const std::lock_guard lock(_mutex);

@@ -42,7 +42,7 @@ public:
 	TileGrid() = default;
 
 	// Returns the grid for a field of p_size_x by p_size_z metres with p_density blades/m^2. A field has whole tiles only: its size is
-	// rounded to the nearest number of them, at least one. Values that are not finite or exceed the limits are brought within them;
+	// rounded to the nearest number of them, at least one. Values that are not finite or exceed the limits are brought within them, and
 	// was_limited() then returns true.
 	static TileGrid make(double p_size_x, double p_size_z, double p_density);
 

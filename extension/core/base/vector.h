@@ -42,7 +42,7 @@ template <class T> GRASS_INLINE Vec3<T> maximum(const Vec3<T> &p_a, const Vec3<T
 template <class T, class Mask> GRASS_INLINE Vec3<T> select(const Mask &p_mask, const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return { select(p_mask, p_a.x, p_b.x), select(p_mask, p_a.y, p_b.y), select(p_mask, p_a.z, p_b.z) };
 }
-// Swizzles for products of all pairs.
+// Return components in the order of the products of all pairs.
 template <class T> GRASS_INLINE Vec3<T> xxy_of(const Vec3<T> &p_a) {
 	return { p_a.x, p_a.x, p_a.y };
 }
@@ -84,7 +84,7 @@ template <class Record, class... Members> GRASS_INLINE Record made(const Members
 	return Record{ p_members... };
 }
 
-// GLSL's own functions. Its compiler may fuse their products into sums; here all of them round in the same way.
+// Do what GLSL's own functions do. Its compiler may fuse their products into sums; here all of them round in the same way.
 template <class T> GRASS_INLINE T dot(const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z;
 }

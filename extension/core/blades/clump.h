@@ -15,7 +15,7 @@ inline constexpr Clump NO_CLUMP{ 1.0f, glsl::vec2(0.0f), 0.0f };
 
 // Below 0.05 m neighbouring blades differ at random; above 1000 m the whole field has one value.
 inline constexpr Tunable CLUMP_SIZE{ "clump_size", "m", 0.05, 1000.0, 0.05, 1.6 };
-// 0 = off, 1 = the full range. Above 1 blades could dip into the ground.
+// 0: off; 1: the full range. Above 1 blades could dip into the ground.
 inline constexpr Tunable CLUMP_HEIGHT{ "clump_height", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CLUMP_LEAN{ "clump_lean", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CLUMP_TINT{ "clump_tint", "", 0.0, 1.0, 0.01, 1.0 };

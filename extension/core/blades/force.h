@@ -43,7 +43,7 @@ struct Force {
 	bool is_over() const { return duration > 0.0 && age >= duration; }
 	// Returns the speed of its air at its current age where it is strongest, m/s.
 	double speed_now() const;
-	// Returns the distance from its place, metres, beyond which its air is slower than GRASS_FORCE_WAKES; 0 where all of it is.
+	// Returns the distance from its place, metres, beyond which its air is slower than GRASS_FORCE_WAKES; 0 if it is slower everywhere.
 	double reach() const;
 	// Returns the record for the shaders, relative to the tile of p_grid below the force.
 	GrassForce pack(const TileGrid &p_grid) const;

@@ -21,8 +21,8 @@ double random_share(uint32_t p_seed) {
 	return grass_hash(p_seed) / 4294967296.0;
 }
 
-// How far a place is from the roots before it. The root that is n before it counts by what runs of n + 1 roots have room for. p_enough: a
-// result below it may be too large.
+// Returns how far a place is from the roots before it. The root that is n before it counts by what runs of n + 1 roots have room for.
+// p_enough: a result below it may be too large.
 double room_at(const std::vector<Eigen::Vector2d> &p_roots, const Eigen::Vector2d &p_place, double p_enough) {
 	double least = 1.0;
 	const size_t before = std::min(p_roots.size(), size_t(GRASS_BLADES_PER_TILE - 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tussocks: blades whose roots gather around common places, with bare ground between. The roots move within the patch, so drawing and
-// simulation find them where they read all roots.
+// simulation read them like all others.
 #pragma once
 
 #include "core/blades/patch.h"

@@ -27,7 +27,7 @@ struct WindClock {
 	void advance(double p_delta, double p_speed, double p_gust_size);
 };
 
-// Returns the wind's velocity along a field's x and z, m/s: what of it blows along the ground. p_turn: from the field's axes to the
+// Returns the wind's velocity along a field's x and z, m/s: the part that blows along the ground. p_turn: from the field's axes to the
 // world's; p_direction: WIND_DIRECTION.
 Eigen::Vector2d wind_in_field(const Eigen::Matrix3d &p_turn, double p_speed, double p_direction);
 

@@ -55,7 +55,7 @@ struct ColliderShape {
 	static bool mirrors(const Eigen::Matrix3d &p_basis) { return p_basis.determinant() < 0.0; }
 	// Returns the scale along each axis; all three are negative where the basis mirrors.
 	static Eigen::Vector3d scale_of(const Eigen::Matrix3d &p_basis);
-	// Scales the shape by the scale_of() its basis, since poses hold rotations only.
+	// Scales the shape by scale_of() of its basis, since poses hold rotations only.
 	void scale(const Eigen::Vector3d &p_scale);
 	// Sets both poses.
 	void set_poses(const Eigen::Affine3d &p_before, const Eigen::Affine3d &p_now);
@@ -65,8 +65,8 @@ struct ColliderShape {
 	// hull without planes or with too many. TileManager::update() calls it for every shape.
 	[[nodiscard]] bool sanitise(const char *&r_reason);
 
-	// Sets its growth. p_size: the half extents that it had at the start of the step. Only what all of them have in common is growth; if
-	// they are less than half or more than twice as large as now, the shape is another one.
+	// Sets its growth. p_size: the half extents that it had at the start of the step. Only the factor that all of them have in common is
+	// growth. If they were less than half or more than twice as large as now, it is another shape.
 	void grow_from(const Eigen::Vector3d &p_half_extents);
 
 	// Returns the half extents, metres, of a box around the shape, along its axes and centred at its origin.

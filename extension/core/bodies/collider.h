@@ -44,7 +44,7 @@ struct TileCollider {
 	float friction = 0.0f;
 	float bound = 0.0f; // radius of a sphere about the centre, metres
 	Vec3<float> box; // half extents of a box about the centre, along the field's axes, at the end of the step, metres
-	float shortfall = 0.0f; // the most by which the shape can be farther from a point than a face in front of it, as a factor
+	float shortfall = 0.0f; // how many times farther from a point than the face in front of it the shape can be
 	float grown = 1.0f; // its size at the end of the step over that at the start
 	float scale = 1.0f; // of its planes, which are those at the end of the whole step
 	float spin = 0.0f; // how far its turn during the step moves a point, as a share of the point's distance from the centre

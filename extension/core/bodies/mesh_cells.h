@@ -22,7 +22,7 @@ public:
 		double concavity; // share of the ways between these cells that lead outside the mesh
 	};
 
-	// p_corners: three for each face, finite; at least one face.
+	// Finds the cells of a mesh. p_corners: three for each face, finite; at least one face.
 	explicit MeshCells(std::span<const Eigen::Vector3d> p_corners);
 
 	CellBox get_box() const { return { Eigen::Vector3i::Zero(), _counts }; }

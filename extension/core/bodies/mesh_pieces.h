@@ -16,7 +16,7 @@ struct MeshPieces {
 	static constexpr int MAX_PIECES = 8; // Each is a collider of its own.
 	static constexpr size_t MAX_FACES = 20000; // A larger mesh is not split, since that would take as long as several ticks.
 
-	// Splits a mesh. p_corners: three for each face, metres. The hulls contain every face and whatever a closed mesh encloses, except for
+	// Splits a mesh. p_corners: three for each face, metres. The hulls contain every face, and whatever a closed mesh encloses except for
 	// hollows of some hundredths of its size. Empty if there are too many faces or no value is finite.
 	static std::vector<Hull> make(std::span<const Eigen::Vector3d> p_corners);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tells motion from teleports. A body that moved from one place to another bends the grass between; one that was put there does not.
+// Distinguishes motion from teleports. A body that moved from one place to another bends the grass between; one that was put there does
+// not.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -66,7 +67,7 @@ private:
 };
 
 // Returns the axes of a limb whose y runs along p_axis, metres. They are as near to p_before as that allows, so that a limb that swings
-// does not spin about itself. p_before, which must be orthonormal, if p_axis has no direction.
+// does not spin about itself. Returns p_before, which must be orthonormal, if p_axis has no direction.
 Eigen::Matrix3d swing_axes(const Eigen::Matrix3d &p_before, const Eigen::Vector3d &p_axis);
 
 } // namespace grass

@@ -15,7 +15,7 @@ class SoftParts {
 public:
 	static constexpr int MAX_PARTS = 8;
 	static constexpr int MAX_POINTS = 128; // of a part; a larger part uses every second, third, ... point
-	// Metres by which parts are wider than their points on each side, so that cloth has a thickness.
+	// How much wider than their points parts are on each side, so that cloth has a thickness. Metres.
 	static constexpr double MARGIN = 0.01;
 
 	SoftParts() = default; // without parts

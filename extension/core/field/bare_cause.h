@@ -25,7 +25,7 @@ struct BareCause {
 	FillCause rule; // RULE
 };
 
-// p_rule: the rule that fills the map, if any. p_height: of uncut grass there, metres. p_at: x, z in metres.
+// Returns the cause. p_rule: the rule that fills the map, if any. p_height: of uncut grass there, metres. p_at: x, z in metres.
 BareCause find_bare_cause(
 		const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at, double p_height);
 

@@ -27,7 +27,7 @@ Canopy canopy_at(const Field &p_field, const Eigen::Vector2f &p_place, const Map
 // [Eq V1] Returns the optical depth of a canopy for each metre along a line within it. p_line: unit vector.
 double canopy_density(const Canopy &p_canopy, const Eigen::Vector3d &p_line);
 
-// [Eq V2] Returns the share of a view between two points that blades hide: 0: none .. 1: all.
+// [Eq V2] Returns the share of a view between two points that blades hide, 0 (none) to 1 (all).
 double hidden_share(const Field &p_field, const LayersAt &p_layers, const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
 
 } // namespace grass

@@ -18,7 +18,7 @@ struct DeviceLimits {
 	int64_t buffers = 16; // that a compute pass may read or write; Vulkan guarantees 4, and graphics cards have many
 	int64_t shared_bytes = 16384; // for each workgroup
 	int64_t constant_bytes = 128; // pushed to a pass
-	// Whether a thread's local arrays stay in its caches, while what it stores to a buffer does not.
+	// Whether the local arrays of a thread stay in its caches, unlike what it stores in a buffer.
 	bool has_quick_arrays = false;
 };
 

@@ -84,7 +84,8 @@ void Field::fit_pool(Simulator &r_simulator, std::span<const SlotMove> p_moves) 
 	}
 }
 
-// Where all blades are simulated, a replay gets the same slots in the same step.
+// Prepares the slots of the next tick. Where all blades are simulated, they come at once: a replay must get the same slots in the same
+// step.
 void Field::prepare_pool(Simulator &r_simulator) {
 	const int wanted = _tiles.get_room_plan().get_wanted(), most = TileParams::MAX_POOL_SIZE;
 	const bool is_whole = _params.detail == SimulationDetail::WHOLE, is_ready = r_simulator.prepare_pool(wanted);
@@ -227,7 +228,7 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 	return has_moved;
 }
 
-// The next frame applies what follows.
+// Compares the time of the last step with the budget. The next frame applies the result.
 void Field::spend_budget(Simulator &r_simulator) {
 	const StepTime time = r_simulator.read_step_time();
 	const bool is_new = time.count != _times_read;

@@ -24,7 +24,7 @@ class Field : private PoolBudget::Member {
 public:
 	using SpeciesPatches = std::vector<std::shared_ptr<const Patch>>;
 
-	// p_budget: of awake tiles, for all fields together. Null: only the field's own pool limits them.
+	// Makes a field without blades. p_budget: of awake tiles, for all fields together. Null: only the field's own pool limits them.
 	explicit Field(std::shared_ptr<PoolBudget> p_budget = nullptr);
 	Field(const Field &) = delete;
 	Field &operator=(const Field &) = delete;
@@ -55,15 +55,15 @@ public:
 	// Returns the tiles that set() or regrow() may have changed since the last call.
 	TileRange take_changed_tiles() { return std::exchange(_changed_tiles, {}); }
 
-	// Sets the views of a frame's cameras. If no picture of its world is shown, a visible node's field counts as seen: scripts and tests
-	// observe such a world in ways that are not known here. r_simulator poses the blades that join the simulated ones, since an eye is
-	// nearer.
+	// Sets the views of a frame's cameras. If no picture of its world is shown, the field of a visible node counts as seen: scripts and
+	// tests observe such a world in ways that are unknown here. r_simulator poses the blades that join the simulated ones because an eye
+	// has come nearer.
 	void see(Simulator &r_simulator, const FieldView &p_view, bool p_is_visible);
 	// Simulates all blades of these tiles for a while, since a script reads them.
 	void ask(Simulator &r_simulator, std::span<const int> p_tiles);
 	bool is_seen() const { return _is_seen; } // or one of its shadows
 
-	// Begins a tick of p_delta seconds. Returns false if its effect cannot be noticed, and skips the rest of it.
+	// Begins a tick of p_delta seconds. Returns false if nobody could notice its effect: then the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
 	// Returns true while slots exist: ticks must go on, so that they are freed.
 	bool holds_slots() const { return _room > 0 || _tiles.get_room() > 0 || _tiles.get_room_plan().get_wanted() > 0; }
@@ -87,7 +87,7 @@ public:
 	int64_t get_unseen_ticks() const { return _unseen_ticks; } // number of skipped ticks
 	// Returns how many times coarser blades are simulated than drawn, to keep within the budget; 1: every drawn blade is.
 	float get_coarseness() const { return _tiles.get_detail().get_coarseness(); }
-	// Returns true if there is a budget, and so many steps without a single time that the device seems to have no timestamps.
+	// Returns true if there is a budget, but so many steps have brought no time that the device seems to have no timestamps.
 	bool is_budget_blind() const { return _untimed_steps >= MOST_UNTIMED; }
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick
 

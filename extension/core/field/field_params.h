@@ -28,7 +28,7 @@ struct FieldParams {
 	double alone_air(double p_length) const;
 	// Returns the energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;
-	// Returns the energy of a blade of any species that is p_distance metres from rest at its tip alone, J/kg; the least of them.
+	// Returns the least energy, over the species, of a blade of which only the tip is p_distance metres from rest, J/kg.
 	double energy_within(double p_distance) const;
 };
 

@@ -48,7 +48,7 @@ public:
 			_at += sizeof(T);
 		}
 	}
-	// An entry has a byte or more, so a list cannot ask for more memory than the file has bytes.
+	// Reads a list. An entry has at least a byte, so no list can take more entries than the file has bytes.
 	template <typename T, typename F> void list(std::vector<T> &r_list, F &&p_each) {
 		uint32_t count = 0;
 		value(count);
@@ -67,7 +67,7 @@ private:
 	bool _is_good = true;
 };
 
-// The members of a tick in the file's order, for both directions: what TickWriter writes, TickReader finds.
+// Passes the members of a tick in the file's order, in both directions: what TickWriter writes, TickReader finds.
 template <typename Stream, typename Params> void pass_solver(Stream &r_stream, Params &r_params) {
 	r_stream.value(r_params.natural_frequency);
 	r_stream.value(r_params.damping_ratio);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A file of what happened to a field: for each tick all that moves its blades, and a hash of them afterwards. The same ticks on the CPU
-// move the same blades. Parts follow each other, each with its size and checksum, so a file that was cut off is good up to there.
+// A file of what happened to a field: for each tick everything that moves its blades, and a hash of the blades afterwards. On the CPU the
+// same ticks give the same blades. Parts follow each other, each with its size and checksum, so a file that was cut off is good up to that
+// place.
 #pragma once
 
 #include "core/blades/force.h"
@@ -19,7 +20,7 @@ namespace grass {
 inline constexpr uint32_t RECORD_VERSION = 1; // of the format
 inline constexpr size_t RECORD_PART_MOST = size_t(64) << 20; // bytes of a part, unpacked; no larger one is written or read
 
-// All that a tick reads.
+// Everything that a tick reads.
 struct TickRecord {
 	uint32_t number = 0; // ticks of the game since the record began; in some of them the field rests
 	double delta = 0.0; // seconds
@@ -56,7 +57,7 @@ class RecordReader {
 public:
 	// Returns "", or why p_bytes are no record, as the end of a sentence that begins with the file's name.
 	std::string open(std::vector<uint8_t> p_bytes);
-	// Returns nothing at the end. get_end() then says why there is no more.
+	// Returns the next part, or nothing at the end. get_end() then says why there is no more.
 	std::optional<RecordPart> read(const MapCodec &p_codec);
 	const std::string &get_end() const { return _end; } // as the end of a sentence that begins with the file's name
 	bool is_complete() const { return _is_complete; } // all that was recorded was read

@@ -60,7 +60,7 @@ struct FieldSetup {
 
 private:
 	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
-	// Returns the farthest that a clump's lean and the slope move a tip: the chord of the angle whose half has that tangent, on both axes.
+	// Returns how far a clump's lean and the slope move a tip at most: the chord of the angle whose half has that tangent, on both axes.
 	float blade_lean() const {
 		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
 	}

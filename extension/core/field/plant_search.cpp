@@ -17,7 +17,7 @@ constexpr size_t SEARCHED_TILES = 65536;
 // An eye that moved less has the same plants near it. Metres.
 constexpr double MOTION = 0.25;
 
-// The tiles p_ring tiles away along x or z: their number, and where each is.
+// Return of the tiles that are p_ring tiles away along x or z: their number, and where each is.
 int count_of(int p_ring) {
 	return p_ring == 0 ? 1 : 8 * p_ring;
 }

@@ -17,7 +17,7 @@ namespace grass {
 // Number of plants of a field that have a node at once. More: the physics server and the scene tree have more to do.
 inline constexpr Tunable PLANT_NODES_MAX{ "plant_nodes_max", "", 0.0, 1024.0, 1.0, 64.0, true };
 
-// Somebody for whom plants must be there.
+// Somebody for whom plants must exist.
 struct PlantEye {
 	Eigen::Vector3d place; // field space, metres
 	double reach = 0.0; // metres; no plant farther away matters
@@ -35,9 +35,9 @@ struct StandingScene {
 
 class PlantSearch {
 public:
-	// The share of a stem that must be left, neither mown nor thinned out, for its plant to count.
+	// A plant counts while this share of its stem is left, neither mown nor thinned out.
 	static constexpr float STANDS = 0.5f;
-	// How much farther away a plant with a node may be than one without: shares of the distance, and metres at least.
+	// How much farther away a plant with a node may be than one without: as a share of the distance, and at least, in metres.
 	static constexpr double KEEP_SHARE = 0.1, KEEP_LEAST = 0.5;
 
 	struct Params {

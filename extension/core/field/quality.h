@@ -40,7 +40,7 @@ struct QualityFactor {
 };
 
 // LOW goes as far as the defaults allow before the picture looks coarse: see the comments beside the numbers that are multiplied. A plant's
-// distance never grows, since there is room for only so many plants as are within it.
+// distance never grows, since there is only room for the plants within it.
 inline constexpr std::array QUALITY_TABLE = {
 	QualityFactor{ QUALITY_PIXELS_MIN, { "pixels_min", "x", 0.1, 4.0, 0.05, 1.0 }, { 1.6, 1.3, 1.0, 0.75 } },
 	QualityFactor{ QUALITY_LOD_ERROR, { "lod_error", "x", 0.1, 8.0, 0.05, 1.0 }, { 2.0, 1.5, 1.0, 0.7 } },

@@ -22,7 +22,7 @@ public:
 	// Returns true once step() can work: the driver may still be compiling the pass. Until then all blades are at rest, and step() is not
 	// called.
 	virtual bool can_simulate() { return true; }
-	// Returns true if no pass replaces one that is still being compiled, so that results no longer depend on it.
+	// Returns true if no pass stands in for one that is still being compiled: then results no longer depend on that.
 	virtual bool is_complete() const { return true; }
 	// Returns the newest known time of a step, and how many were measured so far: none unless set_measure_time() says so, and none on a
 	// device without timestamps.
@@ -31,15 +31,15 @@ public:
 	virtual void step(const StepInput &p_input) = 0;
 	// Returns true once join() can work; until then all blades of awake tiles are simulated.
 	virtual bool can_join() { return true; }
-	// Poses the blades that are drawn from now on, as the simulated ones beside them, [Eq 49]. p_slots: of TileManager::widen(); p_step:
-	// the last one.
+	// Gives the blades that are drawn from now on the poses of the simulated ones beside them, [Eq 49]. p_slots: of TileManager::widen();
+	// p_step: the last one.
 	virtual void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) = 0;
 	// Changes the number of slots, none at first. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their
 	// blades.
 	virtual void resize_pool(int p_slots, std::span<const SlotMove> p_moves) = 0;
-	// Returns up to how many slots resize_pool() makes within a tick without a pause that anybody could see.
+	// Returns how many slots resize_pool() can make within a tick without a visible pause.
 	virtual int get_slots_at_once() const { return TileParams::MAX_POOL_SIZE; }
-	// Makes memory for p_slots slots beside the frames; 0: no longer. Must be called in each tick. Returns true once resize_pool() makes
+	// Prepares memory for p_slots slots beside the frames; 0: stops. Must be called in each tick. Returns true once resize_pool() can make
 	// exactly that many without a pause.
 	virtual bool prepare_pool(int p_slots) { return p_slots > 0; }
 	// Returns the newest known report without waiting; it is valid until the next call.

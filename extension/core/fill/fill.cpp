@@ -90,12 +90,12 @@ public:
 
 private:
 	static Eigen::Vector2d centre_of(int p_i, int p_j) { return Eigen::Vector2d(p_i + 0.5, p_j + 0.5) * DENSITY.texel_size(); }
-	// A texel on the far border belongs to the next area.
+	// Returns whether a texel is in an area. One on the far border belongs to the next area.
 	static bool is_in(const MapRegion &p_area, const Eigen::Vector2d &p_at) {
 		return (p_at.array() >= p_area.min.array()).all() && (p_at.array() < p_area.max.array()).all();
 	}
 
-	// p_texel: index in the chunk of this texel, or of the nearest one.
+	// Returns the code that the rule gives a texel. p_texel: index in the chunk of this texel, or of the nearest one.
 	int32_t filled_code(int p_i, int p_j, size_t p_texel) {
 		const Eigen::Vector2d centre = centre_of(p_i, p_j);
 		if (_rule != nullptr && _rule->only_at_obstacles && !is_at_obstacle(centre)) {
@@ -111,7 +111,8 @@ private:
 		return std::ranges::any_of(_obstacles, changes) || std::ranges::any_of(_planted, changes) || std::ranges::any_of(_gone, changes);
 	}
 
-	// Where the area ends at the chunk's border, the texels that blend into it are in the next chunk, which is not filled itself.
+	// Fills the texels around the chunk. Where the area ends at the chunk's border, the texels that blend into it are in the next chunk,
+	// which is not filled itself.
 	void fill_rim(FilledChunk &r_filled) {
 		for (int row = -1; row <= DENSITY.side; row++) {
 			for (int column = -1; column <= DENSITY.side; column++) {

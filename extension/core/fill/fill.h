@@ -33,7 +33,7 @@ struct FillResult : BrushResult { // amount: square metres of full grass added o
 // Returns the chunks that contain an area, ascending; none beyond the map's reach.
 std::vector<MapKey> chunks_in(const MapRegion &p_area);
 
-// What happens to the texels around the area that blend into it. They do not count in the result.
+// What happens to the texels around the area that blend into it. The result does not count them.
 enum class FillRim { STAYS, FILLED };
 
 // Fills those texels of p_keys (ascending) whose centres are in p_area. Without a p_rule they return to the map's base density.

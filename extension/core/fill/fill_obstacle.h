@@ -19,7 +19,8 @@ class FillObstacle {
 public:
 	static constexpr double MAX_POSITION = 1e6; // metres; anything farther away is ignored
 
-	// p_pose: from the shape's space, may scale. p_height: grass grows under a shape that begins higher above the ground than this, metres.
+	// Covers a solid shape. p_pose: from the shape's space, may scale. p_height: grass grows under a shape that begins higher above the
+	// ground than this, metres.
 	static FillObstacle solid(const ColliderShape &p_shape, const Eigen::Affine3d &p_pose, double p_height);
 	// Covers the inside of an outline, convex or not, at any height.
 	static FillObstacle outline(std::vector<Eigen::Vector2d> p_corners);

@@ -44,7 +44,8 @@ struct FillRule {
 	bool asks_height() const;
 	bool asks_textures() const { return !texture_ids.empty(); }
 
-	// p_slope: degrees from level; p_height: of the ground, metres above the field; p_place: x, z in metres.
+	// Return the share that one condition leaves. p_slope: degrees from level; p_height: of the ground, metres above the field; p_place: x,
+	// z in metres.
 	double slope_share(double p_slope) const;
 	double height_share(double p_height) const;
 	double noise_share(const Eigen::Vector2d &p_place) const;

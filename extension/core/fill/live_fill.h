@@ -40,7 +40,8 @@ private:
 	FillSources _sources;
 	MapRegion _area;
 	std::set<MapKey> _waiting;
-	// The ground on which each chunk was filled. While this shares the texels, the map copies them before a change: a new pointer.
+	// The ground on which each chunk was filled. While this shares the texels, the map copies them before a change, so that their pointer
+	// changes.
 	std::map<MapKey, Ground> _filled_on;
 };
 

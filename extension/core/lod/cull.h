@@ -43,10 +43,10 @@ public:
 	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of,
 			LevelSet p_levels = ALL_LEVELS);
 
-	// The result of the last choice: the instances of one of GRASS_ALL_LEVELS, GRASS_INSTANCE_FLOATS each.
+	// Returns the instances of a level by the last choice, GRASS_INSTANCE_FLOATS each.
 	std::span<const float> get_instances(int p_level) const { return _instances[size_t(p_level)]; }
 	int get_count(int p_level) const { return int(_instances[size_t(p_level)].size()) / GRASS_INSTANCE_FLOATS; }
-	// For picture and shadows each: the number of blades drawn, and of tiles that did not fit.
+	// Return for the picture and for shadows: the number of blades drawn, and of tiles that did not fit.
 	const std::array<int64_t, 2> &get_blades() const { return _blades; }
 	const std::array<int64_t, 2> &get_left_out() const { return _left_out; }
 	size_t get_memory_usage() const; // bytes

@@ -40,7 +40,7 @@ struct Range {
 	float low, high;
 };
 
-// [Eq L7] [Eq L9] Returns the most that a share times grass_lod_ends() can be: a parabola, up to where grass_lod_ends() is 1.
+// [Eq L7] [Eq L9] Returns the greatest value of a share times grass_lod_ends(): of a parabola, up to where grass_lod_ends() is 1.
 float most_in_sight(float p_heights, const Range &p_share, float p_carries) {
 	const float turn = float(GRASS_FAR_LOW) - float(GRASS_FAR_GONE) / std::max(p_heights, 1e-6f);
 	const float best = std::clamp(turn / (2.0f * (float(GRASS_FAR_LOW) - 1.0f)), p_share.low, p_share.high);
@@ -88,8 +88,8 @@ private:
 		return need;
 	}
 
-	// [Eq L7] [Eq L9] The shares of its blades that a tile needs at least and at most. p_begin: of the ring, metres; p_at: distances of
-	// tiles in it.
+	// [Eq L7] [Eq L9] Returns the least and the greatest share of its blades that a tile needs. p_begin: of the ring, metres; p_at:
+	// distances of tiles in it.
 	Range in_sight(float p_begin, const Range &p_at) const {
 		const float tallest = _field.size.length, lowest = std::min(tallest, _ground.cut);
 		const float tile_size = float(_field.grid.get_tile_size()), farthest = std::max(std::abs(_above.low), std::abs(_above.high));
@@ -164,7 +164,7 @@ bool may_cast_into(const CullField &p_field, const FieldView &p_view, const View
 	return casts_into(p_view, p_camera, Eigen::Vector3f(0.0f, p_ground.low + half.y(), 0.0f), wider);
 }
 
-// A tile's needs of several cameras combine, so that for them only the range of all together counts.
+// Finds the levels for several cameras. The needs of a tile combine, so only the range of all together counts.
 LevelSet find_some_levels(const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground, bool p_casts) {
 	const int first = p_casts ? GRASS_LOD_LEVELS : 0, end = p_casts ? GRASS_ALL_LEVELS : GRASS_LOD_LEVELS;
 	LevelSet levels = 0;

@@ -25,14 +25,14 @@ class PlantCull {
 public:
 	// Appends the plants of a tile to a list.
 	using PlantsOf = std::function<void(int p_x, int p_z, std::vector<StandingPlant> &r_plants)>;
-	// By species; GRASS_MAX_SPECIES farther on by species again, of their impostors.
+	// Meshes by species, and from GRASS_MAX_SPECIES on impostors by species.
 	using Kinds = std::array<PlantKind, size_t(GRASS_MAX_SPECIES) * GRASS_PLANT_STAGES>;
 
 	// Discards what is cached of tiles, for another field or another map.
 	void forget() { _known.clear(); }
 	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const TileCull::SlotOf &p_slot_of,
 			const PlantsOf &p_plants_of, const Kinds &p_kinds);
-	// The result of the last choice, numbered as Kinds: GRASS_INSTANCE_FLOATS for each instance.
+	// Returns the instances of a kind by the last choice, numbered as Kinds: GRASS_INSTANCE_FLOATS for each.
 	std::span<const float> get_instances(int p_number) const { return _instances[size_t(p_number)]; }
 	int get_count(int p_number) const { return int(_instances[size_t(p_number)].size()) / GRASS_INSTANCE_FLOATS; }
 	size_t get_memory_usage() const; // bytes

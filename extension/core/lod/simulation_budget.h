@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps the steps of a field within a time, by how many times coarser blades are simulated than drawn
+// Keeps the steps of a field within a time, by simulating blades more coarsely than they are drawn
 // (docs/history/0090-a-budget-for-the-simulation.md).
 #pragma once
 
@@ -18,11 +18,11 @@ class SimulationBudget {
 public:
 	// The coarsest. More would change little: four of a far tile's blades are simulated anyway.
 	static constexpr float MOST = 8.0f;
-	// By which share the coarseness changes in a step, at most. Larger: many tiles change which of their blades are simulated at once.
+	// The largest share by which the coarseness changes in a step. Larger: many tiles change at once which of their blades are simulated.
 	static constexpr float FASTEST = 0.02f;
-	// Steps between AIM and the budget, and as far below AIM, change nothing.
+	// Steps that take between AIM and the budget, or as little less than AIM, change nothing.
 	static constexpr double AIM = 0.9, BAND = 0.1;
-	// The median of so many times counts, so that single slow frames do not.
+	// The median of this many times counts, so that single slow frames do not.
 	static constexpr size_t TIMES = 5;
 
 	// Must be called after each step. p_budget: milliseconds; not positive: none, and the coarseness goes back to 1. p_time: milliseconds

@@ -100,7 +100,7 @@ int TileDetail::simulated_of(int p_x, int p_z, int p_now, int p_drawn) const {
 	return std::min(p_drawn, kept_blades(p_x, p_z, p_now, coarse_lod()));
 }
 
-// Added instead of multiplied, so that it also works where pixels_min is 0.
+// Returns the detail of the simulation. The coarseness is added instead of multiplied, so that it also works where pixels_min is 0.
 LodParams TileDetail::coarse_lod() const {
 	LodParams lod = _view.lod;
 	lod.pixels_min += (_coarseness - 1.0f) * float(PIXELS_MIN.initial);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many blades of a tile are simulated: those that the level of detail draws there, in the picture or in shadows, from where the
-// cameras are (docs/history/0079-simulate-what-is-seen.md). Where they look does not matter: they may turn at any time. With a budget of
-// time they may be fewer (docs/history/0090-a-budget-for-the-simulation.md): the others of those that are drawn follow them.
+// How many blades of a tile are simulated: those that the level of detail draws there, in the picture or in shadows, from where the cameras
+// are (docs/history/0079-simulate-what-is-seen.md). Where they look does not matter: they may turn at any time. With a budget of time they
+// may be fewer (docs/history/0090-a-budget-for-the-simulation.md); other drawn blades then follow them.
 #pragma once
 
 #include "core/lod/cull.h"
@@ -22,7 +22,8 @@ public:
 	static constexpr float SLACK = 0.25f;
 	// For how many frames a tile stays whole after ask().
 	static constexpr int FRAMES_ASKED = 60;
-	// Up to here from an eye every drawn blade is simulated, whatever the coarseness, metres: there a player watches single bodies.
+	// Up to this distance from an eye, metres, every drawn blade is simulated whatever the coarseness: there a player watches single
+	// bodies.
 	static constexpr double FINE_DISTANCE = 4.0;
 
 	// Simulates all blades of every tile. Returns whether blades_of() may return other numbers than before.

@@ -41,7 +41,7 @@ bool GridFinder::have_vertices_at(const GroundGrid &p_grid) const {
 	return double(count) >= NEARLY_ALL * 3.0 * double(_triangles.size());
 }
 
-// Of the edges that run aslant.
+// Finds the split by the edges that run aslant.
 GroundSplit GridFinder::find_split() const {
 	double across = 0.0, beside = 0.0;
 	for (const Triangle &triangle : _triangles) {

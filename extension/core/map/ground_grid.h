@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the heights of a map's ground lie, and how the ground goes between them: as the terrain that they were read from has it. Heights
-// half a metre beside a terrain's vertices would cut off each bump of two metres.
+// Where the heights of a map's ground lie, and the shape of the ground between them: as in the terrain from which they were read. Heights
+// taken half a metre beside a terrain's vertices would flatten each bump of two metres.
 #pragma once
 
 #include <Eigen/Core>
@@ -56,7 +56,7 @@ struct GroundGrid {
 inline uint32_t pack_ground_grid(const GroundGrid &p_grid) {
 	return uint32_t(p_grid.split) | uint32_t(p_grid.x + GroundGrid::STEPS / 2) << 2 | uint32_t(p_grid.z + GroundGrid::STEPS / 2) << 13;
 }
-// Returns false if the number is none of a grid.
+// Returns false if the number stands for no grid.
 inline bool unpack_ground_grid(uint32_t p_packed, GroundGrid &r_grid) {
 	constexpr uint32_t MASK = (1u << 11) - 1;
 	r_grid = { int32_t(p_packed >> 2 & MASK) - GroundGrid::STEPS / 2, int32_t(p_packed >> 13 & MASK) - GroundGrid::STEPS / 2,

@@ -133,7 +133,7 @@ std::string look_at_changes(const ChangeTable &p_changes, const PaintMap &p_map,
 					" of memory, but it may take at most " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
 }
 
-// r_map must have its new base density already.
+// Applies one change. r_map must have its new base density already.
 std::string apply(const Change &p_change, const PaintMap &p_before, const MapCodec &p_codec, PaintMap &r_map, bool &r_has_changed) {
 	const MapChannelInfo &info = info_of(p_change.channel);
 	MapTexels texels = texels_of(p_before, p_change.key, p_change.channel);

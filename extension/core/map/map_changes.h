@@ -12,8 +12,8 @@
 //      n times  the bytes: texels before ^ after, packed by the codec
 //      u32      checksum of all above
 //
-// A change fits a map whose texels there have the checksum before. So changes of different places may come in any order, those of the same
-// place must keep their order, and a change that comes twice has no effect.
+// A change fits a map whose texels there have the checksum before. So changes of different places may come in any order, changes of the
+// same place must keep their order, and a change that comes again has no effect.
 #pragma once
 
 #include "core/map/map_file.h"

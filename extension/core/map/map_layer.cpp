@@ -86,7 +86,7 @@ private:
 		}
 	}
 
-	// [Eq M1]
+	// [Eq M1] Composes a texel of what grows.
 	void compose_fine(int p_i, int p_j, uint8_t *r_texel) {
 		const int i = _key.x * GRASS_FINE_TEXELS + p_i - 1, j = _key.z * GRASS_FINE_TEXELS + p_j - 1;
 		const double wear = _wear.value(0, i, j);
@@ -108,7 +108,7 @@ private:
 		return info_of(MAP_HEIGHT).unit / 16.0 * code;
 	}
 
-	// What a layer has of form and ground lies where the ground's heights do.
+	// Composes form and ground, whose texels lie where the ground's heights do.
 	void compose_coarse(int p_i, int p_j, size_t p_texel, MapLayer &r_layer) {
 		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
 		const Eigen::Vector2d at = Eigen::Vector2d(i + 0.5, j + 0.5) * info_of(MAP_GROUND).texel_size() + _grid.offset();

@@ -69,7 +69,7 @@ MapLayers::MapLayers(const MapPlace &p_place) : _cover(std::make_shared<TileCove
 	touch(get_region());
 }
 
-// The chunks under a field, all without a layer.
+// Begins with the chunks under a field, all without a layer.
 void MapLayers::begin(const MapPlace &p_place) {
 	_place = p_place;
 	_uncut = std::min(int32_t(std::ceil(p_place.tallest / info_of(MAP_CUT).unit)), MAP_UNCUT_CODE);

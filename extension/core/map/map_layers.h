@@ -17,8 +17,8 @@ namespace grass {
 // The properties of a field that determine how a map is laid out for it and drawn.
 struct MapPlace {
 	TileGrid grid;
-	// Metres, of the longest blade. Uncut grass counts as cut at this length: what is blended between it and a cut beside it then changes
-	// where blades are.
+	// Metres, of the longest blade. Uncut grass counts as cut at this length, so that the blend between it and a cut beside it lies where
+	// blades are.
 	double tallest = MAP_UNCUT;
 	float follow = 0.0f; // FOLLOW_SLOPE
 	bool has_species = false; // several, so that its shaders read which of them is painted
@@ -31,7 +31,7 @@ public:
 	MapLayers() = default; // of no field, until read()
 	// Makes the whole map wait to be laid out.
 	explicit MapLayers(const MapPlace &p_place);
-	// Only moved: the cover is shared with those that read it.
+	// It is only moved, since others share the cover.
 	MapLayers(MapLayers &&) = default;
 	MapLayers &operator=(MapLayers &&) = default;
 
@@ -51,8 +51,8 @@ public:
 	int get_waiting() const { return int(_waiting.size()); } // chunks
 	bool is_waiting_at(const Eigen::Vector2f &p_place) const; // field-space x, z in metres
 
-	// Becomes the layers of p_map as it is now on a field, but around p_at only, field-space x, z in metres, and without cover. Uses its
-	// memory again.
+	// Becomes the layers of p_map as it is now on a field, but only around p_at (field-space x, z in metres), and without cover. Its memory
+	// is reused.
 	void read(const PaintMap &p_map, const MapPlace &p_place, const Eigen::Vector2f &p_at);
 
 	const MapPlace &get_place() const { return _place; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Merges two maps that were made from the same one, texel by texel: whichever of them changed a texel gives it.
+// Merges two maps that were made from the same one, texel by texel: each texel comes from the map that changed it.
 #pragma once
 
 #include "core/map/read_limits.h"
@@ -26,7 +26,8 @@ struct MapMerge {
 };
 
 // Brings the changes from p_base to p_theirs into r_mine, or leaves it as it was. What both changed differently stays as it is in mine, or
-// becomes theirs. Undo works so, too: it brings the changes from after a step to before it into the map as others have changed it since.
+// becomes theirs. Undo works in this way, too: it brings the changes from after a step to before it into the map as others have changed it
+// since.
 MapMerge merge_maps(
 		const PaintMap &p_base, const PaintMap &p_theirs, PaintMap &r_mine, bool p_prefers_theirs = false, const ReadLimits &p_limits = {});
 

@@ -124,7 +124,7 @@ Eigen::Vector2d MapShape::get_nearest(const Eigen::Vector2d &p_place) const {
 	return inside ? p_place : nearest;
 }
 
-// Alternating projections between two convex sets converge to their nearest points.
+// Projects back and forth between the two convex sets, which converges to their nearest points.
 double MapShape::get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const {
 	constexpr int ROUNDS = 8; // one suffices for a disc
 	if (_corners.empty() || get_distance(p_centre) > p_half * std::numbers::sqrt2) {

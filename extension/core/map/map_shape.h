@@ -34,7 +34,8 @@ public:
 	static MapShape stroke(
 			const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_radius, double p_hardness, Falloff p_falloff);
 
-	// Makes a square of 2 * p_radius metres around p_middle; p_stamp has the strength of the effect. p_turn: radians, from x towards z.
+	// Makes a square of 2 * p_radius metres around p_middle, in which p_stamp sets the strength of the effect. p_turn: radians, from x
+	// towards z.
 	static MapShape stamped(
 			const Eigen::Vector2d &p_middle, double p_radius, double p_turn, const std::shared_ptr<const MapStamp> &p_stamp);
 

@@ -253,7 +253,8 @@ int MapReader::ledge_code(const Eigen::Vector2d &p_place) {
 	return _ledges[size_t(texel.y() & (LEDGE.side - 1)) * size_t(LEDGE.side) + size_t(texel.x() & (LEDGE.side - 1))];
 }
 
-// [Eq M7] p_i, p_j: the first of the four texels around the place; p_t: share of the way towards the others.
+// [Eq M7] Samples the ground beside a ledge. p_i, p_j: the first of the four texels around the place; p_t: share of the way towards the
+// others.
 double MapReader::sample_beside(int p_component, int p_code, int p_i, int p_j, const Eigen::Array2d &p_t) {
 	const glsl::vec4 shares = glsl::grass_ledge_weights(p_code, glsl::vec2(float(p_t.x()), float(p_t.y())));
 	const double weights[] = { double(shares.x), double(shares.y), double(shares.z), double(shares.w) };
@@ -292,7 +293,7 @@ double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 	return sample_between(p_component, i, j, t);
 }
 
-// p_i, p_j, p_t: as above.
+// Samples between four texels. p_i, p_j, p_t: as above.
 double MapReader::sample_between(int p_component, int p_i, int p_j, const Eigen::Array2d &p_t) {
 	const double first = value(p_component, p_i, p_j), along_x = value(p_component, p_i + 1, p_j),
 				 along_z = value(p_component, p_i, p_j + 1), across = value(p_component, p_i + 1, p_j + 1);

@@ -43,7 +43,7 @@ public:
 	// Sets the density where nothing was painted, 0..1. The default is 0: nothing grows there.
 	void set_base_density(double p_density);
 	double get_base_density() const;
-	// Says where its heights lie; moves none of them (core/paint/move_ground.h does).
+	// Sets where its heights lie, without moving any (core/paint/move_ground.h does that).
 	void set_ground_grid(const GroundGrid &p_grid) { _ground_grid = p_grid; }
 	const GroundGrid &get_ground_grid() const { return _ground_grid; }
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
@@ -55,13 +55,13 @@ public:
 	bool uses(MapChannel p_channel) const; // true if any chunk has it
 
 	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z. The ground's four channels (ground,
-	// normal, hole, ledge) are moved from there by the ground grid's offset, a ledge by whole texels of its own.
+	// normal, hole, ledge) are moved from there by the ground grid's offset, and ledges by whole texels of their own.
 	int32_t get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const;
 	// Sets a code, clamped to the channel's limits. Returns false, and changes nothing, outside the map's reach or if the map is full.
 	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
 
 	// Returns the channel's value at a place (metres), interpolated between the centres of the four nearest texels if the channel blends,
-	// and ground as its grid says, but never across a ledge. Returns the initial value for a place that is not finite or out of reach.
+	// and for ground as its grid says, but never across a ledge. Returns the initial value for a place that is not finite or out of reach.
 	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
 
 	// Returns the chunks in which the two differ.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limits for a map that is read from external bytes. Texels pack a thousand times smaller: a file or a message of a megabyte could take
-// gigabytes.
+// Limits for a map that is read from external bytes. Texels can be packed into a thousandth: a file or a message of a megabyte could unpack
+// to gigabytes.
 #pragma once
 
 #include "core/map/map_region.h"

@@ -133,7 +133,7 @@ TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_colu
 	return stands ? tile : Tile();
 }
 
-// At least two texels contribute to any place.
+// Returns the metres between the heights at its ends. At least two texels contribute to any place.
 double TileCover::Stretch::get_metres() const {
 	int texels = 0;
 	for (int c = 0; c < chunks; c++) {

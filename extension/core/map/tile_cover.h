@@ -42,7 +42,7 @@ public:
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
-	// Along one axis: the chunks that contain a row or column of tiles, and in each of them the texels of its layer that contribute to
+	// For one axis: the chunks that contain a row or column of tiles, and in each of them the texels of its layer that contribute to
 	// samples within these tiles.
 	struct Stretch {
 		struct Texels {

@@ -85,7 +85,7 @@ public:
 		return codes;
 	}
 
-	// A boot has its full effect wherever it is on the grid of texels, since each texel counts its most trodden point.
+	// Returns the weight of a texel. A boot has its full effect wherever it is on the grid, since each texel counts its most trodden point.
 	double weight_at(const MapShape &p_shape, const Eigen::Vector2d &p_centre) const {
 		return _brush.tool == MapTool::FLATTEN ? p_shape.get_most_weight(p_centre, 0.5 * _info.texel_size()) : p_shape.get_weight(p_centre);
 	}
@@ -95,7 +95,7 @@ public:
 	HandPaint read_paint(int p_i, int p_j) {
 		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
 	}
-	// The channel of paint by hand records what the brush changed, and also what it met and left unchanged.
+	// Returns the paint by hand after a step: it records what the brush changed, and also what it met and left unchanged.
 	HandPaint painted(const HandPaint &p_paint, const Codes &p_now, int p_i, int p_j, double p_weight) {
 		return paints() ? p_paint.brushed(aim(p_now, 0, p_i, p_j), p_weight) : p_paint;
 	}

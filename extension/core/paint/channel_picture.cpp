@@ -63,7 +63,7 @@ public:
 	}
 
 private:
-	// Why the format does not fit the channel.
+	// Returns why the format does not fit the channel, or "".
 	std::string find_refusal() const {
 		const std::string name = _info.name;
 		if (_info.bytes > 1 && !_format.is_float) {

@@ -16,7 +16,7 @@ struct GroundBand {
 
 	bool is_empty() const { return !(low < high); }
 	bool is_whole() const { return low <= -GROUND_SEARCH && high >= GROUND_SEARCH; }
-	// A side that was not set has no limit.
+	// Returns whether a height is within the band. A side that was not set has no limit.
 	bool contains(double p_height) const {
 		return (low <= -GROUND_SEARCH || p_height >= low) && (high >= GROUND_SEARCH || p_height <= high);
 	}

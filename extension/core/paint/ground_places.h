@@ -17,7 +17,7 @@ class GroundPlaces {
 public:
 	static constexpr int64_t ALL = std::numeric_limits<int64_t>::max();
 
-	// p_texel: at the centres of texels. p_between: anywhere; null where the ground is one sheet. Both are called for places
+	// p_texel: heights at the centres of texels. p_between: anywhere; null where the ground is one sheet. Both are called for places
 	// p_offset metres from those that are passed. p_most: places.
 	GroundPlaces(const HeightAt &p_texel, const HeightAt &p_between, const Eigen::Vector2d &p_offset, int64_t p_most) :
 			_texel(p_texel), _between(p_between), _offset(p_offset), _most(p_most) {}

@@ -25,15 +25,15 @@ struct GroundRule {
 
 class GroundReading {
 public:
-	// How far around a change of the ground what is laid changes with it, texels.
+	// How far around a change of the ground the laid ground may change, texels.
 	static constexpr int REACH = LedgeFinder::FOLLOWS + 2;
 	// The fewest places that a call must allow, so that reading makes progress.
 	static constexpr int LEAST_PLACES = LedgeFinder::CELL_PLACES;
 
-	// Every texel whose height lies in p_region and within the map's reach.
+	// Begins to read every texel whose height lies in p_region and within the map's reach.
 	GroundReading(const MapRegion &p_region, const GroundRule &p_rule);
 
-	// Reads on, up to p_most places; true: all is read. p_between: heights anywhere; a sheet needs none.
+	// Goes on reading, up to p_most places. Returns true once everything is read. p_between: heights anywhere; a sheet needs none.
 	bool read(const HeightAt &p_height, const HeightAt &p_between, int64_t p_most = GroundPlaces::ALL);
 
 	const GroundRule &get_rule() const { return _rule; }

@@ -25,7 +25,7 @@ public:
 		_heights.reserve(size_t(_width) * size_t(_depth));
 	}
 	bool is_complete() const { return count() == int64_t(_width) * _depth; }
-	// The centre of the texel whose height comes next.
+	// Returns the centre of the texel whose height comes next.
 	Eigen::Vector2d next() const { return centre(_first.x() + int(count()) % _width, _first.y() + int(count()) / _width); }
 	void put(double p_height) { _heights.push_back(p_height); }
 	static Eigen::Vector2d centre(int p_i, int p_j) { return { (p_i + 0.5) * GROUND_TEXEL, (p_j + 0.5) * GROUND_TEXEL }; }

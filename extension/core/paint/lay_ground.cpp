@@ -24,13 +24,13 @@ public:
 		differs = write(MAP_HOLE, 0, p_i, p_j, 0) || differs;
 		note(differs, p_i, p_j);
 	}
-	// p_rim: height of the ground beside it. Without it, blades at the rim would drop to 0.
+	// Opens a hole. p_rim: height of the ground beside it. Without it, blades at the rim would drop to 0.
 	void open(int p_i, int p_j, double p_rim) {
 		bool differs = std::isfinite(p_rim) && write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_rim));
 		differs = write(MAP_HOLE, 0, p_i, p_j, 1) || differs;
 		note(differs, p_i, p_j);
 	}
-	// p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: the cell has no ledge.
+	// Lays a ledge. p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: the cell has no ledge.
 	void lay_ledge(int p_i, int p_j, const uint8_t *p_codes) {
 		const Eigen::Array2i first = LedgeCell::first_spot(p_i, p_j) + _moved;
 		bool differs = false;

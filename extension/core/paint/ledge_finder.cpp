@@ -58,13 +58,14 @@ std::array<double, 4> LedgeFinder::corners(const HeightBlock &p_heights, int p_i
 	return { p_heights.at(p_i, p_j), p_heights.at(p_i + 1, p_j), p_heights.at(p_i, p_j + 1), p_heights.at(p_i + 1, p_j + 1) };
 }
 
-// p_x, p_z: of the way through the cell.
+// Returns the height at a place of a cell. p_x, p_z: share of the way through it.
 double LedgeFinder::height(const HeightBlock &p_heights, int p_i, int p_j, double p_x, double p_z, GroundPlaces &r_places) const {
 	return _is_sheet ? blend_corners(corners(p_heights, p_i, p_j), p_x, p_z)
 					 : r_places.between(HeightBlock::centre(p_i, p_j) + Eigen::Vector2d(p_x, p_z) * GROUND_TEXEL);
 }
 
-// A few places in it, at random, so that a wall or a gap along the rows of texels is not missed everywhere.
+// Returns whether a cell may have a ledge, by a few random places in it: so a wall or a gap along the rows of texels is not missed
+// everywhere.
 bool LedgeFinder::is_suspect(const HeightBlock &p_heights, int p_i, int p_j, GroundPlaces &r_places) const {
 	const std::array<double, 4> four = corners(p_heights, p_i, p_j);
 	const auto missing = std::count_if(four.begin(), four.end(), [](double p_height) { return !std::isfinite(p_height); });
@@ -98,7 +99,7 @@ void LedgeFinder::add(int p_i, int p_j, int p_steps) {
 	}
 }
 
-// Finely. A ledge that leaves the cell makes its neighbour suspect, so it is followed from where it was found.
+// Examines a cell closely. A ledge that leaves the cell makes its neighbour suspect, so it is followed from where it was found.
 void LedgeFinder::examine(const HeightBlock &p_heights, const Waiting &p_cell, GroundPlaces &r_places) {
 	const std::array<double, 4> four = corners(p_heights, p_cell.i, p_cell.j);
 	LedgeCell cell{ p_cell.i, p_cell.j, {} };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the cells of a block that have a ledge, some places at a time: by a few probes in each cell, and in the cells into which a ledge
-// goes on from where a probe met it. What it finds in a cell depends on the ground within FOLLOWS cells of it and on nothing else, so
+// Finds the cells of a block that have a ledge, some places at a time: by a few probes in each cell, and then in the cells through which a
+// ledge goes on from where a probe met it. What it finds in a cell depends on the ground within FOLLOWS cells of it and on nothing else, so
 // blocks may be read in any order and cut anywhere.
 #pragma once
 
@@ -21,11 +21,11 @@ public:
 	static constexpr int HALVINGS = 4; // of the distance between two points of a cell, to see whether the ground jumps between them
 	static constexpr int CELL_PLACES = LedgeCell::POINTS * LedgeCell::POINTS - 4 + HALVINGS; // read in a cell, at most
 
-	// Cells at whose corners one of the texels from p_first to p_last is. p_slope: degrees. p_skips_missing: cells at a place without a
-	// height have no ledge.
+	// Finds ledges in the cells that have one of the texels from p_first to p_last at a corner. p_slope: degrees. p_skips_missing: cells at
+	// a place without a height have no ledge.
 	LedgeFinder(const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, double p_slope, bool p_is_sheet, bool p_skips_missing);
 
-	// Reads on; true: all is found.
+	// Goes on reading. Returns true once everything is found.
 	bool work(const HeightBlock &p_heights, GroundPlaces &r_places);
 	const std::vector<LedgeCell> &get_cells() const { return _cells; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ledges: where the ground jumps between heights one texel apart. Says of each spot in a cell (a square between the centres of four
-// texels of the ground) that has one which of the four heights belong to its side. [Eq M7]
+// Ledges: where the ground jumps between heights one texel apart. In a cell (a square between the centres of four texels of the ground)
+// with a ledge, each spot knows which of the four heights are on its side. [Eq M7]
 #pragma once
 
 #include "core/base/tunable.h"
@@ -18,7 +18,7 @@ inline constexpr Tunable LEDGE_SLOPE{ "ledge_slope", "\u00b0", 30.0, 89.0, 0.5, 
 // Returns the height at a place of a cell that a blend of its corners' heights gives; p_x, p_z: of the way through it. Corners: (0, 0), (1,
 // 0), (0, 1), (1, 1).
 double blend_corners(const std::array<double, 4> &p_corners, double p_x, double p_z);
-// Rise over run of a slope in degrees.
+// Returns the rise over run of a slope in degrees.
 double ledge_tangent(double p_slope);
 
 struct LedgeCell {

@@ -23,7 +23,8 @@ uint32_t get_big_endian(std::span<const uint8_t> p_bytes, size_t p_at) {
 	return uint32_t(p_bytes[p_at]) << 24 | uint32_t(p_bytes[p_at + 1]) << 16 | uint32_t(p_bytes[p_at + 2]) << 8 | p_bytes[p_at + 3];
 }
 
-// The decoder makes sRGB of any other gamma, which changes the bytes; without a gamma it takes them as they are.
+// Returns whether the gamma is another than that of sRGB: the decoder would convert it, which changes the bytes. Without a gamma it takes
+// them as they are.
 bool has_other_gamma(std::span<const uint8_t> p_bytes) {
 	constexpr int64_t SRGB_GAMMA = 45455, SAME_GAMMA = 500; // in units of 1e-5
 	bool has_other = false;

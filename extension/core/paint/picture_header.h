@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The head of a picture's file: what must be known before its pixels are unpacked, which may take a thousand times its bytes.
+// The head of a picture's file: what must be known before unpacking its pixels, which may take a thousand times the bytes of the file.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,8 @@ bool RecoveryRates::is_none() const {
 	return !(growth > 0.0) && std::none_of(wear.begin(), wear.end(), [](double p_rate) { return p_rate > 0.0; });
 }
 
-// Where species mix, the sum may reach a whole code though no single species does. The next whole code makes up for it.
+// Returns whether a chunk has whole codes to heal. Where species mix, their sum may reach a whole code though no single species does; the
+// next whole code makes up for it.
 bool Recovery::is_due(const Healed &p_done, const Healed &p_all) {
 	bool is_due = whole_codes(p_done.growth, p_all.growth) > 0.0;
 	for (size_t s = 0; s < p_all.wear.size(); s++) {

@@ -35,7 +35,7 @@ public:
 	void reset() { *this = Recovery(); }
 
 private:
-	// Codes of both channels that time has healed, whole or fractional, since the beginning or until a chunk was healed.
+	// How many codes of both channels time has healed, whole or fractional: since the beginning, or until a chunk was healed.
 	struct Healed {
 		std::array<double, GRASS_MAX_SPECIES> wear{}; // where a species grows alone
 		double growth = 0.0;

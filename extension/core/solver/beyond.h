@@ -14,7 +14,7 @@ namespace grass {
 template <class T> struct Touches {
 	T depth; // of the deepest touch below its skin, metres; 0: nothing touches
 	T deepest; // deepest touch of a collider, in skins
-	T grip; // limit of the blade's motion that friction at colliders can remove, metres times the inertia of a mean knot without drag
+	T grip; // the most of the blade's motion that friction at colliders can take, metres times the inertia of a mean knot without drag
 	T blow; // depth of the deepest touch that the solve had to leave out, metres; 0: none
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The order in which lanes take the blades of a tile. Only a few of the blades in a tile with a collider are near it, and a step costs
-// these many times more: so blades with the same work are side by side in lanes, and those at rest are in none. A blade's result does not
-// depend on its neighbours, so no bit of it depends on the order.
+// The order in which lanes take the blades of a tile. Only a few of the blades in a tile with a collider are near it, and their step costs
+// many times more. So blades with the same work share lanes, and blades at rest are in none. A blade's result does not depend on its
+// neighbours, so no bit of it depends on the order.
 #pragma once
 
 #include "core/solver/tile_step.h"
@@ -21,8 +21,8 @@ struct BladeOrder {
 	int count; // without those that repeat one
 };
 
-// Most work first. p_work: of each simulated blade; p_lanes: how many blades a group has. Blades stay in their places if that takes no
-// more groups, since neighbours are read at once.
+// Orders blades, most work first. p_work: of each simulated blade; p_lanes: how many blades a group has. Blades stay in their places if
+// that takes no more groups, since neighbours are read at once.
 BladeOrder order_blades(std::span<const uint8_t> p_work, int p_lanes);
 
 } // namespace grass

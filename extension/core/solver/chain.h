@@ -49,7 +49,7 @@ template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Ve
 }
 
 // [Eq 5] Measures how far joint p_joint is bent and twisted from its shape at rest, and [Eq 45] the axis about which it is stiffer. r_face:
-// the normal of the segment before's face, which becomes that of this one's.
+// the normal of the face of the segment before, which becomes that of this one.
 template <class T>
 GRASS_INLINE void measure_joint(
 		const Blade<T> &p_blade, const ChainTerms<T> &p_chain, int p_joint, Turn<T> &r_frame, Vec3<T> &r_face, JointGain<T> &r_gain) {

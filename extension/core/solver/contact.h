@@ -79,8 +79,8 @@ template <class T> GRASS_INLINE Vec3<T> moment(const DeepestCorrection<T> &p_dee
 	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
 }
 
-// [Eq 13] Bends the blade by a correction as a force there would: every hinge below it turns by the force's moment about that hinge, by
-// enough in total to move the knot out. Lengths stay the same; the part above that place turns along.
+// [Eq 13] Bends the blade by a correction as a force there would: every hinge below it turns in proportion to the force's moment about that
+// hinge, so far that the knot comes out. Lengths stay the same; everything above the contact turns with it.
 template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrection<T> &p_deepest) {
 	T stiffness(0.0f);
 	Vec3<T> sum{};

@@ -13,8 +13,8 @@ template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
 	return T(1.0f) / (T(1.0f) + T(RUB) * p_seconds);
 }
 
-// [Eq 32] Knocks a blade out of a collider if it is too deep inside for a linear model: the deepest correction bends the blade as
-// METHOD_PBD's does, and its inertia follows.
+// [Eq 32] Knocks a blade out of a collider if it is too deep inside for a linear model: the deepest correction bends the blade as that of
+// METHOD_PBD does, and its inertia follows.
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
@@ -194,7 +194,7 @@ template <class T> struct Plan {
 	MaskOf<T> is_buried, is_laid; // [Eq 46], [Eq 47]
 	MaskOf<T> stays; // where it is: it takes no solve
 };
-// p_fastest: how far the fastest knot moves in the step, metres.
+// Plans the step. p_fastest: how far the fastest knot moves in the step, metres.
 template <class T> GRASS_INLINE Plan<T> make_plan(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const T &p_fastest) {
 	Plan<T> plan;
 	plan.near = find_near(p_blade, p_terms);
@@ -207,7 +207,8 @@ template <class T> GRASS_INLINE Plan<T> make_plan(const Blade<T> &p_blade, const
 	return plan;
 }
 
-// [Eq 22] A blade that something may touch takes one implicit Euler step, or several [Eq 43]; any other blade takes a step of second order.
+// [Eq 22] Takes the step: one implicit Euler step, or several [Eq 43], for a blade that something may touch; for any other a step of second
+// order.
 template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	using Mask = MaskOf<T>;
 	T fastest;

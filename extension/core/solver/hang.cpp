@@ -22,7 +22,7 @@ constexpr double STEP = 0.1; // seconds, for blades that swing once a second
 constexpr int HANGING_STEPS = 40; // four swings of a blade without overshoot: it is at rest
 constexpr int TILES = GRASS_PATCH_BLADES / GRASS_BLADES_PER_TILE;
 
-// Where a blade rests depends on load over frequency squared, so all species swing alike here.
+// Returns parameters with which all species swing alike: where a blade rests depends only on load over frequency squared.
 SolverParams resting(const SolverParams &p_solver, const Eigen::Vector3d &p_pull) {
 	SolverParams solver = p_solver.sanitised();
 	const Eigen::Vector3d load = p_pull / (solver.natural_frequency * solver.natural_frequency);

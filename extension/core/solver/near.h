@@ -91,7 +91,7 @@ template <class T> GRASS_INLINE T own_finer(const Blade<T> &p_blade, const StepT
 	return p_terms.finer > 1.0f ? select(all_are_slower(p_blade, p_terms, FINER_FROM), T(1.0f), T(p_terms.finer)) : T(1.0f);
 }
 
-// Whether colliders are on a blade's root at the end of this step, so that its clamp, which cannot move out, is inside.
+// The colliders on a blade's root at the end of this step: the clamp, which cannot move out, is inside of them.
 template <class T> struct Burial {
 	MaskOf<T> is_buried; // [Eq 46] and the blade is down: its tip is below LYING of its length
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW or, if round, bury_round_below()

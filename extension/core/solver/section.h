@@ -10,7 +10,7 @@ struct Section {
 	double first_joint; // stiffness of the first joint, relative to a blade that is as stiff all along as at its root
 };
 
-// p_taper: share of the root's width that is lost at the tip, from 0 to less than 1.
+// Returns the section of a species. p_taper: share of the root's width that is lost at the tip, from 0 to less than 1.
 Section make_section(double p_taper);
 
 } // namespace grass

@@ -38,7 +38,7 @@ template <class T> struct StepTerms {
 	std::span<const TileCollider> colliders;
 };
 
-// p_is_far: from every eye, so that contact_rate does not apply.
+// Takes the coefficients of a step. p_is_far: from every eye, so that contact_rate does not apply.
 template <class T>
 StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, bool p_is_far = false) {
 	const float finer = p_is_far ? 1.0f : p_step.pbd_motion.x, seconds = p_step.chain.x;
@@ -76,7 +76,7 @@ template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	}
 }
 
-// [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
+// [Eq 4] Takes Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
 // exactly as a damped oscillator about its rest place does, at any time step.
 template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const T limit = p_terms.max_move * r_blade.blade_length;
@@ -92,8 +92,8 @@ template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerm
 	}
 }
 
-// [Eq 5], [Eq 6] The local shape constraint, root to tip: pulls every segment to where the transported frame (bend and twist) of the
-// segment before it puts it. The weights 1, -2, 1 conserve momentum; clamped knots do not take part.
+// [Eq 5], [Eq 6] Applies the local shape constraint, root to tip: pulls every segment to where the transported frame (bend and twist) of
+// the segment before it puts it. The weights 1, -2, 1 conserve momentum; clamped knots do not take part.
 template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	Turn<T> frame;
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
@@ -112,7 +112,7 @@ template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTer
 	}
 }
 
-// [Eq 7] The length constraint, root to tip: both ends of a segment share its excess or lack of length.
+// [Eq 7] Applies the length constraint, root to tip: both ends of a segment share its excess or lack of length.
 template <class T> GRASS_INLINE void keep_length(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> change = way_to_length(segment(r_blade, k), r_blade.lengths[k], Vec3<T>{});

@@ -84,7 +84,7 @@ CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
 
 CpuPool::~CpuPool() = default;
 
-// FNV-1a, a word at a time.
+// Hashes by FNV-1a, a word at a time.
 uint64_t CpuPool::hash() const {
 	uint64_t hash = 0xcbf29ce484222325u;
 	const auto add = [&hash](uint32_t p_word) { hash = (hash ^ p_word) * 0x100000001b3u; };

@@ -19,7 +19,7 @@ namespace grass {
 
 class CpuPool {
 public:
-	// Memory is allocated when a slot is first used, and freed with the slot.
+	// Makes a pool of the patch's blades. Memory is allocated when a slot is first used, and freed with the slot.
 	explicit CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots = 0);
 	~CpuPool();
 
@@ -34,7 +34,7 @@ public:
 	// as float.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
-	// Poses the blades of a slot that join or follow the simulated ones, [Eq 49]. p_slot: a record of TileManager::widen() or
+	// Gives the blades of a slot that join or follow the simulated ones their poses, [Eq 49]. p_slot: a record of TileManager::widen() or
 	// get_followers(). Ignores unknown slots.
 	void join(const GrassSlot &p_slot);
 

@@ -135,7 +135,7 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	return repeat(p_params);
 }
 
-// A jump is how far a load is from where its last slope, or twice that, would have led it: so a smooth load has none.
+// Finds the jump of the load: how far it is from where its last slope, or twice that, would have led it. So a smooth load has none.
 void StepClock::follow_load(const double (&p_load)[3]) {
 	for (int i = 0; i < 3; i++) {
 		const double slope = _last > 0.0 ? (p_load[i] - _load[i]) / _last : 0.0, before = std::exchange(_load_slope[i], slope);

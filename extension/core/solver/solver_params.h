@@ -25,11 +25,12 @@ inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1
 inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
 // Factor on the friction of bodies. 0: blades slide freely.
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
-// METHOD_DIRECT: solves in one step of a blade near something; with 1 it may tremble; other blades take one. METHOD_PBD: rounds of local
-// shape and contact; the paper found two or three enough; with 1 knots rest on each other's contacts.
+// METHOD_DIRECT: the solves in one step of a blade near something; with 1 it may tremble. Other blades take one. METHOD_PBD: rounds of
+// local shape and contact; the paper found two or three enough; with 1 knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
-// METHOD_DIRECT: how often in a second contact with moving bodies is solved, at most. More: single blades follow bodies more exactly, for
-// as much more time. From two iterations on. A step is halved time and again, so a rate counts as the next one of 400, 800, 1600 and so on.
+// METHOD_DIRECT: how often in a second contact with moving bodies is solved, at most. More: single blades follow bodies more exactly, and
+// take as much more time. It needs two iterations or more. A step is halved again and again, so a rate counts as the next of 400, 800, 1600
+// and so on.
 inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 400.0, 400.0 };
 // How far from an eye contact_rate applies, to the middle of a tile; 0: everywhere. Farther: more blades take as much more time.
 inline constexpr Tunable CONTACT_DISTANCE{ "contact_distance", "m", 0.0, 100.0, 0.1, 4.0 };
@@ -74,7 +75,7 @@ inline constexpr double GROUND_GAP = 0.02;
 // made. Leaves `field` and `clump` of the result to the caller.
 class StepClock {
 public:
-	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
+	// Returns the coefficients of the next step. p_delta: seconds; if 0, negative or not finite, no time passes.
 	GrassStep advance(const SolverParams &p_params, double p_delta);
 	// Returns the step of the last advance() for blades with other parameters.
 	GrassStep repeat(const SolverParams &p_params) const;

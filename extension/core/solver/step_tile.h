@@ -55,7 +55,7 @@ GRASS_INLINE void take_species(
 	r_terms.stiffer = own(&GrassStep::energy, &vec4::w);
 }
 
-// [Eq W6]
+// [Eq W6] Adds the effect of forces.
 template <class T> GRASS_INLINE void add_air_load(StepTerms<T> &r_terms, const AirLoad &p_air, const LaneBlades<T> &p_blades) {
 	const Vec3<T> accelerated = { load_own(p_air.load[0], p_blades), load_own(p_air.load[1], p_blades), load_own(p_air.load[2], p_blades) };
 	const T drag = load_own(p_air.drag, p_blades);

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Each blade of a field at rest: its species, its clump, and how a map changes both. Does for the CPU
-// what begin_point() in shaders/draw/pose.gdshaderinc does for the picture. Lives as long as the field is built.
+// SPDX-License-Identifier: MIT Each blade of a field at rest: its species, its clump, and how a map changes both. It is for the CPU what
+// begin_point() in shaders/draw/pose.gdshaderinc is for the picture. Lives as long as the field is built.
 #pragma once
 
 #include "core/base/standing_plant.h"
@@ -52,7 +51,7 @@ public:
 		float waver = 0.0f;
 		bool operator==(const Border &) const = default;
 	};
-	// p_pose: of that blade.
+	// Returns the pose of a blade's mesh. p_pose: of that blade.
 	Standing get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, const Border &p_border) const;
 	// Appends the blades of a tile whose species is in the bit mask p_species.
 	void find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const;

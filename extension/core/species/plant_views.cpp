@@ -24,7 +24,7 @@ constexpr float LAYER = 0.5f;
 // 6 m away at this angle.
 constexpr float RAISED = 0.26f;
 
-// As the engine decodes a texture of colours.
+// Encodes a colour as the engine decodes a texture of colours.
 uint8_t encoded(float p_linear) {
 	const float value = std::clamp(p_linear, 0.0f, 1.0f);
 	return uint8_t(std::lround(255.0f * (value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f)));
@@ -70,7 +70,7 @@ public:
 	}
 
 	int get_side() const { return _side; }
-	// The place in the frame of a sample, y down.
+	// Returns the place of a sample in the frame, y down.
 	Eigen::Vector2f place_of(int p_x, int p_y) const {
 		return { (float(p_x) + 0.5f) / _scale.x() - 0.5f * _frame.width, (float(_side - p_y) - 0.5f) / _scale.y() - _frame.bottom };
 	}
@@ -184,7 +184,7 @@ private:
 		r_sample = { mix(p_surface.colors).cwiseProduct(texel.head<3>()), normal.normalized(), depth, 1.0f };
 	}
 
-	// Of what is covered.
+	// Returns the mean of the samples that are covered.
 	static Sample mean_of(const std::vector<Sample> &p_samples, int p_side, int p_x, int p_y, int p_count) {
 		Sample sum;
 		for (int y = p_y; y < p_y + p_count; y++) {
@@ -243,7 +243,7 @@ private:
 struct SeenAslant {
 	double plant = 0.0, beside = 0.0, above = 0.0;
 
-	// p_depth: height of the card with the picture from above.
+	// Adds the light of a plant. p_depth: height of the card with the picture from above.
 	void add(const ViewPainter &p_plant, const ViewPainter &p_beside, const ViewPainter &p_above, float p_depth, float p_angle) {
 		const float x = std::cos(p_angle), z = std::sin(p_angle);
 		for (int n = 0; n < p_plant.get_side() * p_plant.get_side(); n++) {

@@ -8,9 +8,9 @@
 
 namespace grass {
 
-// From the side, seen from a little above, the picture is as wide as the plant's reach to both sides, and reaches from its root to its tip.
-// From above it is as wide and as deep as that, and shows the upper parts. All mipmaps follow each other, the largest first; in each the
-// alpha is the share of a texel that is covered, and transparent texels have the mean of those around them.
+// A picture of the plant. From the side, and a little above, it is as wide as the plant's reach to both sides, and shows the plant from
+// root to tip. From above it is as wide and as deep as that, and shows the upper parts. The mipmaps follow each other, the largest first.
+// In each, alpha is the share of a texel that is covered, and transparent texels have the mean of those around them.
 struct PlantView {
 	std::vector<uint8_t> colors; // RGBA8, sRGB
 	std::vector<uint8_t> normals; // RGBA8: x, y, z in the plant's axes, -1..1; alpha unused
@@ -19,14 +19,14 @@ struct PlantView {
 
 struct PlantViews {
 	std::vector<PlantView> views; // from the sides, the last one from above
-	// The share of the picture from above that must be drawn beside those from the side, for an eye 30 degrees above the horizon to see as
-	// much light as from the plant.
+	// The share of the picture from above that must be drawn beside those from the side, so that an eye 30 degrees above the horizon sees
+	// as much light as of the plant.
 	float aslant = 0.0f;
 };
 
-// The eye of view k of p_sides is beside the plant, at the angle k / p_sides of a turn from x to z; the last view is from above, with x to
-// the right and z down. p_surfaces: one unit high, their normals set; p_reach: farthest from the axis; p_texels: a power of two.
-// p_is_stopped: once it is true, the result does not matter; null: never.
+// Draws the pictures. The eye of view k of p_sides is beside the plant, at the angle k / p_sides of a turn from x to z; the last view is
+// from above, with x to the right and z down. p_surfaces: one unit high, their normals set; p_reach: farthest from the axis; p_texels: a
+// power of two. p_is_stopped: once it is true, the result does not matter; null: never.
 PlantViews draw_views(std::span<const PictureSurface> p_surfaces, float p_reach, int p_sides, int p_texels,
 		const std::atomic<bool> *p_is_stopped = nullptr);
 

@@ -136,7 +136,7 @@ struct SpeciesMix::Place {
 	uint32_t bits, blade; // bits of the tile; the blade whose random numbers decide
 };
 
-// [Eq P1] of the place where a blade is looked up, [Eq P6].
+// Returns [Eq P1] of the place where a blade is looked up, [Eq P6].
 uint32_t SpeciesMix::noise_at(const SpeciesRecord &p_record, const Place &p_place, int p_species) {
 	if (p_record.strength == 0) {
 		return 0;

@@ -35,7 +35,8 @@ inline constexpr Tunable SPECIES_SHARE{ "share", "", 0.0, 1.0, 0.01, 0.5 };
 inline constexpr Tunable STAND_SIZE{ "stand_size", "m", 0.2, 64.0, 0.1, 4.0 };
 // 0: single blades among those of other species; 1: separate stands with sharp borders.
 inline constexpr Tunable STAND_STRENGTH{ "stand_strength", "", 0.0, 1.0, 0.01, 0.6 };
-// How softly its stands end: their borders fray, and blades there are lower by up to this share. 0: they end as sharply as they are strong.
+// How softly its stands end: their borders fray, and blades there are lower by up to this share. 0: only stand_strength decides how sharply
+// they end.
 inline constexpr Tunable STAND_EDGE{ "stand_edge", "", 0.0, 1.0, 0.01, 0.0 };
 
 // Share of a species' blades that have a flower or seed head.

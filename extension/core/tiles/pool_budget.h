@@ -12,15 +12,15 @@
 
 namespace grass {
 
-// For how many tiles a field wants slots: by the band from which cameras see them (TileView), nearest first. The last one counts tiles that
-// no camera sees, and those that nothing touches any more.
+// How many tiles a field needs slots for, by the band from which cameras see them (TileView), nearest first. The last band counts tiles
+// that no camera sees, and tiles that nothing touches any more.
 struct PoolDemand {
 	std::array<int, TileView::UNSEEN + 1> tiles{};
 	int most = 0; // slots that the field may have at all
 };
 
-// Returns how many of p_slots slots each field gets. Tiles near a camera come first; where slots end, fields share them evenly. What is
-// left is spread evenly, so that a tile that wakes next finds a slot.
+// Returns how many of p_slots slots each field gets. Tiles near a camera come first. In the band in which slots run out, fields share them
+// evenly. What is left is spread evenly, so that the next tile to wake finds a slot.
 std::vector<int> share_pool(std::span<const PoolDemand> p_demands, int p_slots);
 
 class PoolBudget {
@@ -41,7 +41,7 @@ public:
 		int _turns = 0; // calls of grant() since slots were shared
 	};
 
-	// p_slots: for all fields together.
+	// Makes a budget. p_slots: for all fields together.
 	explicit PoolBudget(int p_slots = MOST_TILES) : _slots(p_slots) {}
 	void set_slots(int p_slots);
 	int get_slots() const { return _slots; }

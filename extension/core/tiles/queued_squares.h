@@ -11,7 +11,7 @@ namespace grass {
 class QueuedSquares {
 public:
 	void clear() { _bits.fill(0); }
-	// p_x, p_z: number of the square, see SlotMap.
+	// Adds a square. p_x, p_z: its number, see SlotMap.
 	void add(int p_x, int p_z) { _bits[bit_of(p_x, p_z) / 64] |= uint64_t(1) << bit_of(p_x, p_z) % 64; }
 	bool may_have(int p_x, int p_z) const { return (_bits[bit_of(p_x, p_z) / 64] >> bit_of(p_x, p_z) % 64 & 1) != 0; }
 

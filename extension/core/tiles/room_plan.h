@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decides how many slots exist: as many as awake tiles need, in powers of two. Devices take milliseconds to make many of them, so these are
+// Decides how many slots exist: as many as awake tiles need, in powers of two. A device takes milliseconds to make many, so they are
 // prepared beside the frames, and tiles wait meanwhile.
 #pragma once
 
@@ -16,7 +16,7 @@ public:
 	void set_ready(int p_at_once, int p_prepared);
 	// Returns how many slots should be prepared, 0: none.
 	int get_wanted() const { return _wanted > 0 ? _wanted : _trimmed; }
-	// Must be called when there are other slots: what was prepared is used.
+	// Must be called when the number of slots has changed: what was prepared is used.
 	void made() { _prepared = 0; }
 	void reset() { *this = {}; }
 

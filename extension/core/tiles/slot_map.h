@@ -128,7 +128,7 @@ private:
 		return i;
 	}
 
-	// An entry that was pushed past the hole moves back into it, so that no search stops short of it.
+	// Removes an entry. One that was pushed past the hole moves back into it, so that no search stops too early.
 	void remove(uint32_t p_hole) {
 		for (uint32_t i = (p_hole + 1) & _mask; _entries[i].key != NO_KEY; i = (i + 1) & _mask) {
 			if (((i - home_of(_entries[i].key)) & _mask) >= ((i - p_hole) & _mask)) {

@@ -14,7 +14,8 @@ struct TileBounds::Blade {
 	float x, z;
 };
 
-// p_taller: factor on the blade's length; p_chord: how far it is tilted, as a share of a knot's distance from the root.
+// Extends a box by a blade. p_taller: factor on the blade's length; p_chord: how far it is tilted, as a share of a knot's distance from the
+// root.
 void TileBounds::extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord) {
 	for (int k = 1; k < GRASS_KNOTS; k++) {
 		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];

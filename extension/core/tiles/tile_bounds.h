@@ -77,7 +77,7 @@ private:
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
 
-		// Branch-free, since it is unpredictable which side decides.
+		// Returns whether two boxes meet. Branch-free, since it is unpredictable which side decides.
 		bool meets(const Box &p_other, float p_other_bottom) const {
 			const float x = std::min(max_x - p_other.min_x, p_other.max_x - min_x),
 						z = std::min(max_z - p_other.min_z, p_other.max_z - min_z);

@@ -112,7 +112,7 @@ void TileFootprint::add_inner(const ColliderShape &p_collider, const ColliderPos
 	}
 }
 
-// p_room: for the centre of a tile on the plane y = 0.
+// Adds a side. p_room: for the centre of a tile on the plane y = 0.
 void TileFootprint::add_side(const Eigen::Vector3d &p_normal, double p_room, std::vector<Side> &r_sides) const {
 	const Eigen::Vector3d first = _grid.get_centre(0, 0);
 	const double size = _grid.get_tile_size();

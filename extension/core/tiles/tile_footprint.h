@@ -21,7 +21,7 @@ public:
 		bool is_empty() const { return end <= begin; }
 	};
 
-	// p_swept: the box around the collider's path.
+	// Finds the sides of the footprint. p_swept: the box around the collider's path.
 	TileFootprint(const ColliderShape &p_collider, const Bounds &p_swept, const TileGrid &p_grid, const TileParams &p_params);
 
 	// Returns the tiles of a row within p_limits whose blades the body may meet. May include some that it does not meet.

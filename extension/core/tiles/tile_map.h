@@ -36,7 +36,7 @@ public:
 			return;
 		}
 		_count--;
-		// An entry that was pushed past the hole moves back into it, so that no search stops short of it.
+		// An entry that was pushed past the hole moves back into it, so that no search stops too early.
 		for (uint32_t i = (hole + 1) & mask(); _places[i].tile != NONE; i = (i + 1) & mask()) {
 			const uint32_t home = home_of(_places[i].tile);
 			if (((i - home) & mask()) >= ((i - hole) & mask())) {

@@ -26,7 +26,7 @@ size_t TileMeetings::get_memory_usage() const {
 			bytes(_seen_ways) + bytes(_waiting) + bytes(_barred) + _unmet_seen.get_memory_usage();
 }
 
-// A block covers the same indices of colliders in every step, so that Known::first stays valid in its lists.
+// Begins a step. A block covers the same indices of colliders in every step, so that Known::first stays valid in its lists.
 void TileMeetings::begin(size_t p_colliders) {
 	for (const int tile : _wanted) {
 		_place_of_tile.erase(tile);
@@ -43,7 +43,7 @@ void TileMeetings::begin(size_t p_colliders) {
 	}
 }
 
-// Other tiles have their slots now, so colliders that do not move have to look for theirs again.
+// Bars tiles that lost their slots. Other tiles have these now, so colliders that do not move must look for theirs again.
 void TileMeetings::bar_yielded() {
 	for (const int tile : _barred) {
 		_place_of_tile.erase(tile);

@@ -35,7 +35,7 @@ size_t TileMeetings::queue_seen_tiles(size_t p_room) {
 	return std::max(p_room - std::min(p_room, size_t(_unmet_seen.count())), _wanted.size());
 }
 
-// Nearest first; within a band in the order of colliders.
+// Finds the ways that cameras see, nearest first; within a band in the order of colliders.
 void TileMeetings::find_seen_ways() {
 	_seen_ways.clear();
 	for (Block &block : get_blocks()) {

@@ -32,7 +32,8 @@ TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 
 } // namespace
 
-// It is the same collider as in the last step if it begins where that one ended: not if it was put somewhere else.
+// Finds how a collider has grown. It is the same one as in the last step if it begins where that one ended, and not if it was put somewhere
+// else.
 void TileMeetings::follow_growth(ColliderShape &r_collider, Known &r_known) {
 	constexpr double SAME_PLACE = 1e-6; // metres
 	const bool is_same = r_known.type == r_collider.type && r_known.owner == r_collider.owner &&
@@ -117,7 +118,8 @@ void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
 	}
 }
 
-// Where the list has no room for all that ways reach, those in view are served first, and the others share what is left.
+// Finds how many tiles each way may meet. If the list has no room for all of them, ways in view come first, and the others share what is
+// left.
 TileMeetings::LimitsBySight TileMeetings::find_limits(int64_t p_total, size_t p_ways) {
 	constexpr int64_t OTHERS_PART = 4; // of the list is kept for a tile each of the ways out of view
 	const int64_t pool = _tiles->params.pool_size, capacity = _tiles->params.list_capacity();

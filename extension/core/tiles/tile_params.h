@@ -57,7 +57,7 @@ struct TileParams {
 	// Most slots that tiles under bodies lose in a step to tiles that are seen better. Fewer: a camera that turns quickly sees bodies in
 	// grass that they have not bent for longer than a quarter of a second. More: a step wakes many tiles at once.
 	int most_yielding() const { return std::max(MIN_YIELDING, pool_size / YIELDING_PART); }
-	// Never more pairs of a tile and a collider than this, for buffers made once.
+	// Returns the most pairs of a tile and a collider, for buffers that are made once.
 	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }
 	bool operator==(const TileParams &) const = default;
 

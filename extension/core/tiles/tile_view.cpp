@@ -72,7 +72,8 @@ int TileView::get_band(const TileRange &p_tiles, float p_margin) const {
 	return band;
 }
 
-// Of the tile that is nearest to the eye. The square of the distance has two bands for each doubling: exponent and first digit.
+// Returns the band of the tile that is nearest to the eye. The square of the distance has two bands for each doubling: exponent and first
+// digit.
 int TileView::band_from(const Eigen::Vector3f &p_eye, float p_left, float p_right, float p_back, float p_front) const {
 	constexpr int FIRST = 127 << 1, DIGITS = 22;
 	const float x = p_eye.x() - std::clamp(p_eye.x(), p_left, p_right), z = p_eye.z() - std::clamp(p_eye.z(), p_back, p_front);

@@ -16,11 +16,11 @@ namespace grass {
 
 class TileView {
 public:
-	// Bands of distance from an eye, four for each doubling from a metre on, and of what no camera sees.
+	// Bands of distance from an eye, four for each doubling from a metre on; and the band of what no camera sees.
 	static constexpr int FARTHEST = 61, UNSEEN = 63;
 
-	// p_margin widens every frustum, metres. p_eyes: where each frustum is seen from; none: from everywhere. Before the first call, and
-	// after see_all(), everything is seen.
+	// Sets the frustums. p_margin widens each of them, metres. p_eyes: where each frustum is seen from; none: from everywhere. Before the
+	// first call, and after see_all(), everything is seen.
 	void see(std::span<const Frustum> p_frustums, float p_margin, std::span<const Eigen::Vector3f> p_eyes = {});
 	void see_all() { _sees_all = true; }
 	bool sees_all() const { return _sees_all; }

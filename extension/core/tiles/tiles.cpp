@@ -42,7 +42,7 @@ void TileManager::reset() {
 	_statistics = {};
 }
 
-// Algorithm 1. Each line of the paper's three loops is one function here.
+// Runs Algorithm 1. Each line of the paper's three loops is one function here.
 void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for) {
 	const double delta = std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
 	_time += delta;

@@ -25,7 +25,7 @@ class TileManager {
 public:
 	TileManager() { reset(); }
 
-	// A new grid, another pool size or another seed puts every tile to rest at once, as reset() does.
+	// Sets the grid, and the parameters. Another grid, pool size or seed puts every tile to rest at once, as reset() does.
 	void set_grid(const TileGrid &p_grid);
 	void set_params(const TileParams &p_params);
 	// Sets the boxes around the tiles' blades; without them a tile's box is its square, enlarged by TileParams' overhang and height.
@@ -50,7 +50,7 @@ public:
 	// Must be called once in each tick of p_delta seconds. Frees slots that were not needed for some seconds, and returns the tiles that
 	// have others now.
 	std::vector<SlotMove> trim(double p_delta);
-	// Returns for how many tiles the field wants slots, after an update.
+	// Returns how many tiles the field needs slots for, after an update.
 	PoolDemand find_demand();
 	// Returns true if the last update found no slots for all tiles, though the pool's own size would have allowed them.
 	bool lacks_grant() const { return _granted < _params.pool_size && _meetings.is_short(); }
@@ -61,7 +61,7 @@ public:
 	// Gives access to the views of the field. Out of view, a tile is simulated only while something moves in it. In view again, it
 	// continues where it stopped, or is at rest by then.
 	TileView &get_view() { return _view; }
-	// Gives access to how many blades of each tile are simulated. After a change, widen() must be called.
+	// Gives access to the numbers of simulated blades. After a change, widen() must be called.
 	TileDetail &get_detail() { return _detail; }
 	const TileDetail &get_detail() const { return _detail; }
 	// Sets how many blades of the awake tiles are drawn and simulated from now on. Returns the tiles in which more are drawn than before,
@@ -82,7 +82,7 @@ public:
 	// The records: retired tiles first, then the live tiles that are simulated, ascending by slot. A slot can be in both parts, if it was
 	// taken away and used again at once.
 	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
-	// Returns those of the live tiles of which more blades are drawn than simulated, as records for join(): the others follow in this step.
+	// Returns, as records for join(), the live tiles of which more blades are drawn than simulated: the others follow in this step.
 	std::span<const GrassSlot> get_followers() const { return _followers; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders.get(); }
 	std::span<const uint8_t> get_sharp() const { return _colliders.get_sharp(); } // for each collider, see is_sharp()
@@ -137,8 +137,8 @@ private:
 		uint32_t start = 0; // first blade in the patch
 	};
 
-	// How many blades of a tile are drawn, and how many of them are simulated; in how many steps the others are where those that they
-	// follow have them.
+	// How many blades of a tile are drawn, and how many of them are simulated; and in how many steps the others arrive where those that
+	// they follow lead them.
 	struct Blades {
 		uint8_t drawn = 0, simulated = 0, steps_apart = 0;
 	};
@@ -150,8 +150,8 @@ private:
 		float blend = 0.0f; // while settling: blend of this step's record; 1: at rest after it
 	};
 
-	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Tiles out of view before others,
-	// then settling ones, then by energy where it was reported, then by who was met longest ago, up to some minutes.
+	// How calm a tile is that may give way, with its slot in the lowest bits: the calmest is least. Tiles out of view come before others,
+	// then settling ones, then by energy if it was reported, then by how long ago they were met, up to some minutes.
 	using Calm = uint64_t;
 	static constexpr int SLOT_BITS = 14, AGE_BITS = 17; // and 31 of a positive float, and two
 	static_assert(TileParams::MAX_POOL_SIZE <= 1 << SLOT_BITS);

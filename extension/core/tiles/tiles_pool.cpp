@@ -80,7 +80,7 @@ void TileManager::set_room(int p_slots, std::vector<SlotMove> &r_moves) {
 	forget_step();
 }
 
-// What the last step found is of tiles that have other slots now, or none.
+// Forgets what the last step found: its tiles have other slots now, or none.
 void TileManager::forget_step() {
 	_record_count = 0;
 	_followers = {};

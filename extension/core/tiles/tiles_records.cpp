@@ -92,7 +92,8 @@ void TileManager::write_records() {
 	_fresh.clear();
 }
 
-// A fresh tile has none: all of its blades take the step. Blades of a tile that arrives at rest arrive there, too.
+// Writes the record of a tile's followers. A fresh tile has none: all of its blades take the step. Followers in a tile that comes to rest
+// come to rest, too.
 void TileManager::write_follower(const GrassSlot &p_record) {
 	Blades &blades = _blades[size_t(p_record.tile.w)];
 	if (blades.drawn <= blades.simulated || (p_record.list.w & GRASS_SLOT_FRESH) != 0) {

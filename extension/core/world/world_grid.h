@@ -29,12 +29,12 @@ struct PlotHash {
 
 class WorldGrid {
 public:
-	// In metres. A plot has whole chunks of the map, so that the chunks of neighbours meet.
+	// The side of a plot, in metres. A plot has whole chunks of the map, so that the chunks of neighbours meet.
 	static constexpr Tunable SIZE{ "size", "m", 128.0, 65536.0, 1.0, 16384.0 };
 	static constexpr Tunable PLOT_SIZE{ "plot_size", "m", 64.0, 1024.0, 64.0, 256.0 };
 
 	WorldGrid() = default;
-	// A world of p_size metres along x and z, rounded up to whole plots on both sides of its centre.
+	// Makes a world of p_size metres along x and z, rounded up to whole plots on both sides of its centre.
 	WorldGrid(const Eigen::Vector2d &p_size, double p_plot) :
 			_plot(p_plot), _reach_x(int(std::ceil(0.5 * p_size.x() / p_plot))), _reach_z(int(std::ceil(0.5 * p_size.y() / p_plot))) {}
 

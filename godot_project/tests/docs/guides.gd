@@ -177,8 +177,7 @@ func worlds_set_it_up() -> void:
 	world.plot_size = 64.0
 	world.camera_radius = 20.0
 	world.save_folder = "user://docs_world"
-	var deck := BoxShape3D.new()
-	deck.size = Vector3(4, 0.6, 4)
+	var deck := box(Vector3(4, 0.6, 4))
 	var eye := Camera3D.new()
 	add_child(eye)
 	eye.position = Vector3(0, 2, 0)

@@ -12,8 +12,7 @@ func before() -> void:
 
 
 func test_bodies_bend_blades_as_on_the_cpu() -> void:
-	var plate := BoxShape3D.new()
-	plate.size = Vector3(0.6, 0.02, 0.6)  # what it touches is for the pass with edges
+	var plate := box(Vector3(0.6, 0.02, 0.6))  # what it touches is for the pass with edges
 	for method: GrassField.SolverMethod in [GrassField.METHOD_DIRECT, GrassField.METHOD_PBD]:
 		if not await add_pair({method = method, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 			return

@@ -19,9 +19,7 @@ func test_the_first_field_stands_until_its_pass_is_there() -> void:
 
 func test_sharp_colliders_do_not_wait_for_their_pass() -> void:
 	gpu = add_field()
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.5, 0.2, 0.5)
-	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
+	add_held_body(box(Vector3(0.5, 0.2, 0.5)), PLACE + Vector3(0, 0.2, 0))
 	await ticks(5)
 	var early := gpu.get_statistics().merged(gpu.get_counters())
 	print("    after 5 ticks: %d passes are being compiled" % early.compiling)
@@ -39,9 +37,7 @@ func test_sharp_colliders_do_not_wait_for_their_pass() -> void:
 
 func test_a_field_goes_on_until_another_method_s_passes_are_there() -> void:
 	gpu = add_field()
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.5, 0.2, 0.5)
-	var body := add_held_body(box, PLACE + Vector3(0, 0.2, 0))
+	var body := add_held_body(box(Vector3(0.5, 0.2, 0.5)), PLACE + Vector3(0, 0.2, 0))
 	await ticks(5)
 	await compiled(gpu)
 	await ticks(5)

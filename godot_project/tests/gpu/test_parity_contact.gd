@@ -42,8 +42,6 @@ func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
 	var capsule := CapsuleShape3D.new()
 	capsule.radius = 0.1
 	capsule.height = 0.5
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.3, 0.2, 0.4)
 	var cylinder := CylinderShape3D.new()
 	cylinder.radius = 0.15
 	cylinder.height = 0.3
@@ -52,7 +50,7 @@ func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
 		[Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)]
 	)
 	var bodies: Array[AnimatableBody3D] = []
-	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
+	for shape: Shape3D in [ball(0.2), capsule, box(Vector3(0.3, 0.2, 0.4)), cylinder, hull]:
 		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), OVER_THE_GRASS, 0.3))
 		body.rotation = Vector3(0.3, 0.2, 0.1) * bodies.size()
 		bodies.append(body)
@@ -93,8 +91,7 @@ func sharp_bodies() -> Array[AnimatableBody3D]:
 	var rod := CylinderShape3D.new()
 	rod.radius = THIN
 	rod.height = 2 * HALF_STICK
-	var lath := BoxShape3D.new()
-	lath.size = Vector3(2 * THIN, 2 * HALF_STICK, 2 * THIN)
+	var lath := box(Vector3(2 * THIN, 2 * HALF_STICK, 2 * THIN))
 	var bodies: Array[AnimatableBody3D] = []
 	for shape: Shape3D in [stick, rod, lath]:
 		var body := add_held_body(shape, Vector3(-2.6, 0.2 + 0.05 * bodies.size(), 1.3 * bodies.size() - 1.3))
@@ -212,9 +209,7 @@ func test_edges_are_asked_only_near_what_is_sharp() -> void:
 	for field: GrassField in nudged:
 		field.free()
 	body.free()
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.5, 0.2, 0.5)
-	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
+	add_held_body(box(Vector3(0.5, 0.2, 0.5)), PLACE + Vector3(0, 0.2, 0))
 	await ticks(5)
 	assert_greater(gpu.get_counters().edge_tile_steps, 0)
 

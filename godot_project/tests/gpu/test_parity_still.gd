@@ -12,8 +12,7 @@ func test_held_blades_stand_still_on_both() -> void:
 		return
 	cpu.sleep_mode = GrassField.SLEEP_TIMER  # which leaves no tile as it is
 	gpu.sleep_mode = GrassField.SLEEP_TIMER
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(0.8, 0.1, 0.8)
+	var slab := box(Vector3(0.8, 0.1, 0.8))
 	var body := add_held_body(slab, PLACE + Vector3(0, 0.5, 0))
 	for i in 30:
 		body.position.y = maxf(body.position.y - SINKING, 0.2)
@@ -74,8 +73,7 @@ func test_boulders_lay_blades_alike() -> void:
 func test_a_plank_that_appears_pierces_no_blade() -> void:
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
-	var plank := BoxShape3D.new()
-	plank.size = Vector3(1.0, 0.045, 0.8)
+	var plank := box(Vector3(1.0, 0.045, 0.8))
 	var body := add_held_body(plank, Vector3(PLACE.x, 0.12, PLACE.z))
 	await ticks(60)
 	var tile := gpu.get_tile_at(PLACE)

@@ -36,14 +36,7 @@ func add_world(properties := {}) -> GrassWorld:
 
 
 func loaded(world: GrassWorld) -> void:
-	var calm := [0]
-	await wait_until(
-		func() -> bool:
-			var now := world.get_statistics()
-			calm[0] = calm[0] + 1 if now.waiting == 0 and now.files_waiting == 0 and now.plots > 0 else 0
-			return calm[0] > 4,
-		"all plots are loaded"
-	)
+	await super(world)
 	await drawn()
 
 

@@ -16,9 +16,7 @@ func cover(properties := {}) -> Array[Node3D]:
 	await ticks(1)
 	at_rest = tile_knots(field, MIDDLE)
 	var lid := AnimatableBody3D.new()
-	var box := BoxShape3D.new()
-	box.size = Vector3(11, 0.2, 11)
-	add_shape(lid, box)
+	add_shape(lid, box(Vector3(11, 0.2, 11)))
 	lid.position.y = 0.2
 	viewport.add_child(lid)
 	return [field, lid]

@@ -25,13 +25,11 @@ func randomise(field: GrassField) -> void:
 
 
 func throw_bodies() -> Array[RigidBody3D]:
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.3, 0.2, 0.4)
 	var capsule := CapsuleShape3D.new()
 	capsule.radius = 0.1
 	capsule.height = 0.5
 	var bodies: Array[RigidBody3D] = []
-	for shape: Shape3D in [ball(0.2), box, capsule]:
+	for shape: Shape3D in [ball(0.2), box(Vector3(0.3, 0.2, 0.4)), capsule]:
 		var body := RigidBody3D.new()
 		body.gravity_scale = 0.0
 		add_body(body, shape, Vector3(0, 0.3, 0) + within(-0.3, 0.3))

@@ -224,8 +224,7 @@ func test_a_boot_of_any_size_treads_within_the_field() -> void:
 func test_ground_is_baked_where_the_field_is() -> void:
 	expect_error("GrassField 'Meadow': the region of bake_ground() is outside of the field")
 	var field := add_field({map = full_map()})
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(400, 1, 400)
+	var slab := box(Vector3(400, 1, 400))
 	add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
 	await ticks(2)
 	var found := field.bake_ground()

@@ -8,8 +8,7 @@ const MIDDLE := Vector3(0.25, 0.25, 0.25)  # above it
 
 ## Adds a floor under the whole field, which is seen by its area but is no object.
 func add_floor() -> StaticBody3D:
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(40, 1, 40)
+	var slab := box(Vector3(40, 1, 40))
 	return add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
 
 
@@ -62,8 +61,7 @@ func test_rigid_bodies_bend_grass_even_frozen() -> void:
 func test_floors_and_walls_wake_nothing() -> void:
 	var field := add_field()
 	add_floor()
-	var wall := BoxShape3D.new()
-	wall.size = Vector3(1, 2, 1)
+	var wall := box(Vector3(1, 2, 1))
 	add_body(StaticBody3D.new(), wall, Vector3(1, 1, 1))
 	var world := WorldBoundaryShape3D.new()
 	add_body(StaticBody3D.new(), world, Vector3.ZERO)
@@ -274,11 +272,9 @@ func test_two_hundred_bodies_at_once() -> void:
 	var field := add_field({size = Vector2(8, 8)})
 	var bodies: Array[PhysicsBody3D] = []
 	for i in 200:
-		var box := BoxShape3D.new()
-		box.size = Vector3(0.2, 0.3, 0.2)
 		var body := RigidBody3D.new()
 		var place := Vector3(0.5 * (i % 14) - 3.25, 0.3 + 0.01 * (i % 7), 0.5 * floorf(i / 14.0) - 3.5)
-		bodies.append(add_body(body, [ball(0.15), box][i % 2], place))
+		bodies.append(add_body(body, [ball(0.15), box(Vector3(0.2, 0.3, 0.2))][i % 2], place))
 	add_floor()
 	await ticks(20)
 	assert_eq(field.get_body_count(), 201, "all of them, and the floor")

@@ -58,7 +58,7 @@ func test_what_was_done_to_the_grass() -> void:
 
 
 func test_the_condition_and_the_node_of_a_rule() -> void:
-	var exclusion := _add_exclusion(_box(Vector3(8, 2, 8)), Vector3(20, 0, 20))
+	var exclusion := _add_exclusion(box(Vector3(8, 2, 8)), Vector3(20, 0, 20))
 	exclusion.name = "Yard"
 	var map := GrassMap.new()
 	var heights := Image.create_empty(64, 64, false, Image.FORMAT_RF)

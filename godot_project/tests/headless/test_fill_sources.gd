@@ -4,7 +4,7 @@ extends "res://tests/fill_case.gd"
 
 
 func test_an_exclusion_node_that_moves_is_followed_where_it_was_and_is() -> void:
-	var exclusion := _add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	var exclusion := _add_exclusion(box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	var field := await _add_filled(_rule())
 	assert_eq(_density(field, 22, 20), 0.0)
 	assert_eq(_density(field, 20, 23), 1.0)
@@ -38,7 +38,7 @@ func test_an_exclusion_node_that_moves_is_followed_where_it_was_and_is() -> void
 
 
 func test_collision_shapes_of_a_group_exclude_with_all_their_kinds() -> void:
-	var house := add_body(StaticBody3D.new(), _box(Vector3(6, 3, 6)), Vector3(30, 1.5, 0)) as StaticBody3D
+	var house := add_body(StaticBody3D.new(), box(Vector3(6, 3, 6)), Vector3(30, 1.5, 0)) as StaticBody3D
 	var wing := add_shape(house, SphereShape3D.new(), Transform3D(Basis(), Vector3(10, -1.5, 0)))
 	(wing.shape as SphereShape3D).radius = 3.0
 	var hull := ConvexPolygonShape3D.new()
@@ -91,7 +91,7 @@ func test_a_distance_is_kept_from_nodes_and_along_paths() -> void:
 
 
 func test_places_are_the_fields_own_wherever_it_stands() -> void:
-	_add_exclusion(_box(Vector3(4, 2, 4)), Vector3(1000, 50, 0))
+	_add_exclusion(box(Vector3(4, 2, 4)), Vector3(1000, 50, 0))
 	var field := await _add_filled(_rule(), {position = Vector3(1000, 50, 30), rotation = Vector3(0, PI / 2, 0)})
 	assert_eq(field.get_density_at(Vector3(1000, 50, 0)), 0.0)
 	assert_eq(field.get_density_at(Vector3(1005, 50, 0)), 1.0)

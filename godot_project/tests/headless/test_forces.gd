@@ -137,6 +137,9 @@ func test_no_more_than_sixteen_count_the_strongest() -> void:
 	await ticks(2)
 	assert_eq(field.get_counters().forces, 16)
 	assert_eq(field.get_counters().forces_left_out, 4)
+	await ticks(10)
+	assert_less(field.get_bend_at(Vector3(-5, 0, 0)).length(), 0.01, "where the weakest would blow")
+	assert_greater(field.get_bend_at(Vector3(4.5, 0, 0)).length(), 0.1, "where the strongest blows")
 
 
 func test_forces_of_another_world_or_hidden_ones_do_not_blow() -> void:
@@ -269,3 +272,12 @@ func test_random_forces_leave_finite_blades_of_their_lengths() -> void:
 			child.free()
 	await ticks_to_sleep(field)
 	assert_eq(farthest_of(field, rest), 0.0, "they come back to rest")
+
+
+func test_the_wind_of_an_area_fades_on_its_way() -> void:
+	var field := add_meadow()
+	var area := add_windy_area({wind_force_magnitude = 12.0, wind_attenuation_factor = 1.0})
+	area.get_node(^"Source").position.x = 11.0
+	await ticks(30)
+	assert_eq(field.get_counters().forces, 1)
+	assert_eq(field.get_awake_tile_count(), 0, "a twelfth of it is a breeze")

@@ -9,12 +9,6 @@ func after() -> void:
 	DirAccess.remove_absolute(FILE)
 
 
-func box(size: Vector3) -> BoxShape3D:
-	var shape := BoxShape3D.new()
-	shape.size = size
-	return shape
-
-
 func at(place: Vector3) -> Transform3D:
 	return Transform3D(Basis(), place)
 

@@ -18,8 +18,6 @@ func shapes() -> Array[Shape3D]:
 	var capsule := CapsuleShape3D.new()
 	capsule.radius = 0.125
 	capsule.height = 0.75
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.5, 0.25, 0.375)
 	var cylinder := CylinderShape3D.new()
 	cylinder.radius = 0.25
 	cylinder.height = 0.25
@@ -28,7 +26,7 @@ func shapes() -> Array[Shape3D]:
 	for axis: Vector3 in [Vector3.RIGHT, Vector3.UP, Vector3.BACK]:
 		corners.append_array([0.25 * axis, -0.25 * axis])
 	hull.points = corners
-	return [ball(0.25), capsule, box, cylinder, hull]
+	return [ball(0.25), capsule, box(Vector3(0.5, 0.25, 0.375)), cylinder, hull]
 
 
 func species(share: float, frequency: float) -> GrassSpecies:

@@ -28,8 +28,7 @@ func test_roots_stand_on_what_rays_meet() -> void:
 
 
 func test_a_tilted_field_is_baked_along_its_own_axis() -> void:
-	var floor_shape := BoxShape3D.new()
-	floor_shape.size = Vector3(40, 1, 40)
+	var floor_shape := box(Vector3(40, 1, 40))
 	add_body(StaticBody3D.new(), floor_shape, Vector3(0, -0.5, 0))
 	await ticks(2)
 	var field := add_field({size = Vector2(8, 8), position = Vector3(0, 0.5, 0), rotation = Vector3(0, 0, 0.3)})
@@ -77,8 +76,7 @@ func faces_of_hill() -> PackedVector3Array:
 func test_what_moves_about_and_other_layers_are_no_ground() -> void:
 	var hill := add_hill()
 	add_held_body(ball(1.0), Vector3(2, 3, 0))
-	var roof := BoxShape3D.new()
-	roof.size = Vector3(4, 0.1, 4)
+	var roof := box(Vector3(4, 0.1, 4))
 	var over := add_body(StaticBody3D.new(), roof, Vector3(-4, 2, 0))
 	over.collision_layer = 4
 	await ticks(2)
@@ -169,8 +167,7 @@ func add_crate() -> GrassField:
 	var layers := {Vector3(0, -0.5, 0): [Vector3(40, 1, 40), 1 << 4, land], Vector3(0, 1, 0): [Vector3(4, 2, 4), 1, self]}
 	for place: Vector3 in layers:
 		var body := StaticBody3D.new()
-		var shape := BoxShape3D.new()
-		shape.size = layers[place][0]
+		var shape := box(layers[place][0])
 		add_shape(body, shape)
 		body.collision_layer = layers[place][1]
 		body.position = place

@@ -5,12 +5,6 @@ extends "res://tests/field_case.gd"
 const LOW := 0.15  # metres above the ground: within grass
 
 
-func _box(size: Vector3) -> BoxShape3D:
-	var box := BoxShape3D.new()
-	box.size = size
-	return box
-
-
 ## Upright grass without clumps: a meadow that is the same everywhere.
 func _even(properties := {}) -> GrassField:
 	var field := add_field({size = Vector2(8, 8), clump_height = 0.0}.merged(properties))
@@ -54,7 +48,7 @@ func test_what_is_cut_erased_or_on_a_hill_counts_as_it_is() -> void:
 	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.0), Vector2.ZERO, Vector2.ZERO)
 	var half := _depth(field, Vector3(-2, LOW, 0), Vector3(2, LOW, 0))
 	assert_near(half, 0.5 * whole, 0.1 * whole)
-	field.cut(_box(Vector3(20, 2, 20)), Transform3D(Basis(), Vector3(0, 1.1, 0)))
+	field.cut(box(Vector3(20, 2, 20)), Transform3D(Basis(), Vector3(0, 1.1, 0)))
 	assert_eq(field.get_cover(Vector3(-2, LOW, 2), Vector3(2, LOW, 2)), 0.0, "mown at 0.1 m")
 	assert_greater(field.get_cover(Vector3(-2, 0.05, 2), Vector3(2, 0.05, 2)), 0.5)
 
@@ -63,7 +57,7 @@ func test_bent_grass_counts_as_it_lies() -> void:
 	var field := await _even()
 	var line := [Vector3(-0.4, 0.25, 0), Vector3(0.4, 0.25, 0)]
 	var before := field.get_cover(line[0], line[1])
-	var body := add_held_body(_box(Vector3(3, 0.2, 3)), Vector3(0, 0.8, 0))
+	var body := add_held_body(box(Vector3(3, 0.2, 3)), Vector3(0, 0.8, 0))
 	for i in 60:
 		body.position.y = 0.8 - 0.011 * i
 		await ticks(1)
@@ -95,7 +89,7 @@ func _rustle(field: GrassField, body: Node3D, step: Vector3) -> float:
 func test_a_body_brushes_as_many_blades_as_it_moves_over() -> void:
 	var map := full_map()
 	var field := await _even({map = map})
-	var body := add_held_body(_box(Vector3(1, 1, 0.5)), Vector3(-2, 0.5, 0))
+	var body := add_held_body(box(Vector3(1, 1, 0.5)), Vector3(-2, 0.5, 0))
 	await ticks(5)
 	assert_eq(field.get_rustle(body), 0.0, "at rest")
 	var way := 0.02 * Engine.physics_ticks_per_second  # metres a second

@@ -83,8 +83,7 @@ func test_the_world_is_shifted_about_its_origin() -> void:
 
 func test_ground_stays_ground_when_the_world_is_shifted() -> void:
 	var field := add_field()
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(40, 1, 40)
+	var slab := box(Vector3(40, 1, 40))
 	var floor_body := add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
 	await ticks(5)
 	for i in 3:
@@ -137,8 +136,7 @@ func test_a_static_body_comes_to_rest() -> void:
 
 
 func test_a_figure_turned_round_mows_nothing() -> void:
-	var long := BoxShape3D.new()
-	long.size = Vector3(2.5, 0.3, 0.2)
+	var long := box(Vector3(2.5, 0.3, 0.2))
 	var awake: Array[int] = []
 	for turn: float in [0.0, PI, 0.5]:
 		var field := add_field()

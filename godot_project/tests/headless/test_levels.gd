@@ -83,8 +83,7 @@ func test_places_belong_to_one_level() -> void:
 
 func test_work_on_one_level_leaves_the_other() -> void:
 	await add_levels()
-	var hedge := BoxShape3D.new()
-	hedge.size = Vector3(2, 0.2, 2)
+	var hedge := box(Vector3(2, 0.2, 2))
 	for field: GrassField in [meadow, bridge]:
 		var other := BELOW if field == bridge else ON_DECK
 		var own := ON_DECK if field == bridge else BELOW

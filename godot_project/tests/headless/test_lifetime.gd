@@ -67,8 +67,7 @@ func test_moved_and_turned_with_a_body_in_it() -> void:
 
 func test_moved_over_ground_that_stays() -> void:
 	var field := add_field()
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(20, 1, 20)
+	var slab := box(Vector3(20, 1, 20))
 	var ground := add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
 	for i in 30:
 		field.position = Vector3(0.02 * i, 0, 0)

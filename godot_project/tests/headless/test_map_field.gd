@@ -101,9 +101,7 @@ func test_blades_follow_the_slope_as_told() -> void:
 func test_a_ball_rolls_down_the_hill_through_grass() -> void:
 	var field := add_field({map = hill(), size = Vector2(24, 6), pool_tiles = 512})
 	var slope := StaticBody3D.new()
-	var box := BoxShape3D.new()
-	box.size = Vector3(60, 1, 20)
-	add_body(slope, box, Vector3.ZERO)
+	add_body(slope, box(Vector3(60, 1, 20)), Vector3.ZERO)
 	slope.rotation.z = atan(SLOPE)
 	slope.position = slope.basis.y * -0.5
 	var roller := RigidBody3D.new()

@@ -182,8 +182,7 @@ func test_fast_bodies_cost_no_more_calls_of_the_engine() -> void:
 func test_a_registered_node_that_turns_in_place_sweeps() -> void:
 	var field := add_field()
 	var rotor := add_mover("node", HEIGHT, field)
-	var bar := BoxShape3D.new()
-	bar.size = Vector3(2.5, 0.3, 0.2)
+	var bar := box(Vector3(2.5, 0.3, 0.2))
 	field.register_collider(rotor, bar)
 	await ticks(4)
 	var before: int = field.get_counters().woken

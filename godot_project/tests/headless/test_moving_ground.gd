@@ -30,8 +30,7 @@ func add_raft(kind: String, parent: Node, place := Vector3.ZERO) -> PhysicsBody3
 			raft.sync_to_physics = kind == "synced"
 		"static":
 			raft = StaticBody3D.new()
-	var deck := BoxShape3D.new()
-	deck.size = Vector3(SIDE, 1, SIDE)
+	var deck := box(Vector3(SIDE, 1, SIDE))
 	add_shape(raft, deck, Transform3D(Basis(), Vector3(0, -0.5, 0)))
 	raft.position = place
 	parent.add_child(raft)
@@ -103,8 +102,7 @@ func test_a_house_on_an_island_bends_nothing() -> void:
 	add_raft("static", island)
 	var field := add_lawn(island)
 	var house := StaticBody3D.new()
-	var walls := BoxShape3D.new()
-	walls.size = Vector3(3, 3, 3)
+	var walls := box(Vector3(3, 3, 3))
 	add_shape(house, walls, Transform3D(Basis(), Vector3(2, 1, 2)))
 	island.add_child(house)
 	await ticks(10)
@@ -119,8 +117,7 @@ func test_a_house_on_an_island_bends_nothing() -> void:
 func test_a_truck_with_a_lawn_wakes_nothing() -> void:
 	add_body(StaticBody3D.new(), WorldBoundaryShape3D.new(), Vector3(0, -1.6, 0))
 	var truck := VehicleBody3D.new()
-	var bed := BoxShape3D.new()
-	bed.size = Vector3(4, 0.5, 6)
+	var bed := box(Vector3(4, 0.5, 6))
 	add_shape(truck, bed, Transform3D(Basis(), Vector3(0, -0.25, 0)))
 	truck.mass = 500.0
 	for place: Vector3 in [Vector3(-1.8, -0.6, 2), Vector3(1.8, -0.6, 2), Vector3(-1.8, -0.6, -2), Vector3(1.8, -0.6, -2)]:

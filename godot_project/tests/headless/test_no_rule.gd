@@ -4,7 +4,7 @@ extends "res://tests/fill_case.gd"
 
 
 func test_a_house_and_a_path_clear_a_field_without_rule_and_map() -> void:
-	var house := _add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	var house := _add_exclusion(box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	var path := _add_path(Vector3(-30, 5, 0))
 	var field := await _add_filled(null)
 	assert_eq(field.get_density_at(Vector3(22, 0, 20)), 0.0)
@@ -34,7 +34,7 @@ func test_a_house_that_a_game_builds_clears_and_bare_ground_is_planted() -> void
 	var map := GrassMap.new()
 	map.base_density = 0.5
 	var field := await _add_filled(null, {map = map})
-	var near := _add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	var near := _add_exclusion(box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	_add_path(Vector3(-30, 0, 0), {mode = GrassPath3D.MODE_PLANT})
 	await frames(2)
 	assert_eq(_density(field, 22, 20), 0.0)
@@ -59,7 +59,7 @@ func test_what_a_rule_once_filled_stays_beside_a_path() -> void:
 
 
 func test_a_rule_that_comes_fills_all_and_one_that_goes_leaves_the_clearing() -> void:
-	_add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	_add_exclusion(box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	var field := await _add_filled(null)
 	field.fill_rule = _rule({density = 0.25})
 	await frames(8)
@@ -72,7 +72,7 @@ func test_a_rule_that_comes_fills_all_and_one_that_goes_leaves_the_clearing() ->
 
 
 func test_a_field_that_none_of_them_concerns_gets_no_map() -> void:
-	_add_exclusion(_box(Vector3(8, 2, 4)), Vector3(500, 0, 20))
+	_add_exclusion(box(Vector3(8, 2, 4)), Vector3(500, 0, 20))
 	_add_path(Vector3(0, 0, 0), {field_group = &"others"})
 	var field := await _add_filled(null)
 	await _follow()
@@ -83,7 +83,7 @@ func test_a_field_that_none_of_them_concerns_gets_no_map() -> void:
 
 
 func test_without_live_fill_nothing_is_cleared_and_the_field_says_so() -> void:
-	_add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	_add_exclusion(box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
 	expect_error("`fill_live` is off, so GrassExclusion3D and GrassPath3D do not change this field")
 	var field := await _add_filled(null, {fill_live = false})
 	assert_true(field.map == null)

@@ -42,7 +42,7 @@ func test_a_path_is_cleared_and_followed_where_it_is_moved_and_bent() -> void:
 
 func test_a_hedge_is_planted_whatever_the_rule_says() -> void:
 	var path := add_path(0, 32, {mode = GrassPath3D.MODE_PLANT, fade = 2.0})
-	_add_exclusion(_box(Vector3(4, 2, 20)), Vector3(10, 0, 32))
+	_add_exclusion(box(Vector3(4, 2, 20)), Vector3(10, 0, 32))
 	var field := await _add_filled(_rule({density = 0.0}))
 	assert_eq(_density(field, 0, 33), 1.0)
 	assert_eq(_density(field, 0, 40), 0.0)

@@ -126,6 +126,13 @@ func test_work_does_not_grow_with_the_field() -> void:
 	assert_less(looked_at[252], 4000)
 
 
+func test_an_eye_high_above_looks_at_nothing() -> void:
+	camera.position.y = 2.0 * DISTANCE
+	var field := add_shrubs()
+	await ticks(20)
+	assert_eq(field.get_counters().plant_tiles_looked_at, 0)
+
+
 func test_work_of_a_tick_is_bounded() -> void:
 	var field := add_shrubs({density = 1000.0}, shrub(shrub_scene(), {share = 0.0005, plant_scene_distance = 12.0}))
 	var before := 0
@@ -143,8 +150,7 @@ func test_cut_painted_and_hidden_plants_lose_their_nodes() -> void:
 	await settled(field)
 	var all := nodes.size()
 	assert_greater(all, 50)
-	var deck := BoxShape3D.new()
-	deck.size = Vector3(4, 2, 4)
+	var deck := box(Vector3(4, 2, 4))
 	field.cut(deck, Transform3D(Basis(), Vector3(3, 1.2, 0)))  # 0.2 m high
 	await settled(field)
 	assert_less(nodes.size(), all)
@@ -251,3 +257,14 @@ func test_characters_and_rolling_bodies_have_plants_around_them() -> void:
 	assert_greater(nodes.size(), 5)
 	for blade: int in nodes:
 		assert_less(root_of(field, blade).distance_to(stone.position), 4.6)
+
+
+func test_bodies_of_plants_have_no_plants_around_them() -> void:
+	var body := RigidBody3D.new()
+	body.gravity_scale = 0.0
+	body.can_sleep = false
+	var field := add_shrubs({}, shrub(shrub_scene(body), {share = 0.02}))
+	await settled(field)
+	await ticks(30)
+	await settled(field)
+	assert_eq(sorted(nodes.keys()), sorted(shrubs_within(field, camera.position, DISTANCE)))

@@ -94,9 +94,7 @@ func test_a_script_may_remove_the_field() -> void:
 
 func test_baked_ground_does_not_rise_onto_plants() -> void:
 	var ground := StaticBody3D.new()
-	var box := BoxShape3D.new()
-	box.size = Vector3(60, 1, 60)
-	add_body(ground, box, Vector3(0, -0.5, 0))
+	add_body(ground, box(Vector3(60, 1, 60)), Vector3(0, -0.5, 0))
 	var field := add_shrubs({map = full_map()})
 	await grown(field)
 	await settled(field)

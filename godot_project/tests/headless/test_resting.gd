@@ -9,8 +9,7 @@ const SOON := 3  # ticks in which a body is found, read, and bends grass
 
 
 func add_floor() -> StaticBody3D:
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(400, 1, 400)
+	var slab := box(Vector3(400, 1, 400))
 	return add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
 
 
@@ -198,6 +197,7 @@ func test_ground_that_a_script_moves_is_noticed() -> void:
 		wall.position.x += 0.02
 		await ticks(1)
 	assert_greater(field.get_awake_tile_count(), 0)
+	await rested([field])  # it is ground there, too
 
 
 func test_a_body_of_the_server_alone_is_noticed() -> void:
@@ -258,8 +258,7 @@ func test_what_scripts_do_stirs() -> void:
 ## The box in which it watches follows.
 func test_bodies_on_ground_that_was_laid_later_are_noticed() -> void:
 	var field := await add_resting_field()
-	var slab := BoxShape3D.new()
-	slab.size = Vector3(40, 1, 40)
+	var slab := box(Vector3(40, 1, 40))
 	add_body(StaticBody3D.new(), slab, Vector3(0, 11.5, 0))
 	await ticks(SOON)
 	assert_greater(field.bake_ground(), 0)
@@ -319,9 +318,7 @@ func add_shape_to_area(area: Area3D, shape: Shape3D) -> void:
 
 func test_a_sleeping_body_that_is_moved_or_woken_is_noticed() -> void:
 	var field := await add_resting_field()
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.4, 0.4, 0.4)
-	var body := add_body(RigidBody3D.new(), box, Vector3(4.5, 0.2, 0)) as RigidBody3D
+	var body := add_body(RigidBody3D.new(), box(Vector3(0.4, 0.4, 0.4)), Vector3(4.5, 0.2, 0)) as RigidBody3D
 	await wait_until(func() -> bool: return body.sleeping, "the body sleeps", true)
 	await rested([field])
 	body.apply_central_impulse(Vector3(-8, 0, 0))

@@ -20,12 +20,6 @@ func cylinder(radius: float, height: float) -> CylinderShape3D:
 	return shape
 
 
-func box(size: Vector3) -> BoxShape3D:
-	var shape := BoxShape3D.new()
-	shape.size = size
-	return shape
-
-
 ## Eight faces, `radius` from the middle to each of the six corners.
 func octahedron(radius: float) -> ConvexPolygonShape3D:
 	var shape := ConvexPolygonShape3D.new()

@@ -193,6 +193,20 @@ func test_species_swing_by_their_own_numbers() -> void:
 	assert_eq(field.get_counters().makings, makings + 1)
 
 
+## What leaves cover counts as width of blades, by which the level of detail thins them.
+func test_a_leaf_that_covers_less_makes_the_field_again() -> void:
+	var picture := Image.create_empty(8, 8, false, Image.FORMAT_RGBA8)
+	picture.fill(Color.WHITE)
+	var species := make(1.0, 0.4, {leaf = ImageTexture.create_from_image(picture)})
+	var field := add_field({species = [species]})
+	await grown(field)
+	var makings: int = field.get_counters().makings
+	picture.fill_rect(Rect2i(0, 0, 4, 8), Color.TRANSPARENT)
+	species.leaf = ImageTexture.create_from_image(picture)
+	await grown(field)
+	assert_eq(field.get_counters().makings, makings + 1)
+
+
 func test_grass_of_species_sleeps_again() -> void:
 	var field := add_field({species = [make(0.5, 0.4, {natural_frequency = 3.0}), make(0.5, 0.7, {natural_frequency = 0.9})]})
 	await ticks(2)

@@ -52,7 +52,7 @@ func test_nothing_grows_in_a_hole() -> void:
 		var answer := field.explain(Vector3(8, 0, 0))
 		assert_eq(answer.reason, GrassField.REASON_HOLE, answer.text)
 		assert_true(answer.text.contains("hole"), answer.text)
-		assert_eq(field.cut(_box(Vector3(2, 4, 2)), Transform3D(Basis(), Vector3(8, hills_of(terrain).height(8, 0), 0))).volume, 0.0)
+		assert_eq(field.cut(box(Vector3(2, 4, 2)), Transform3D(Basis(), Vector3(8, hills_of(terrain).height(8, 0), 0))).volume, 0.0)
 		remove([field, terrain])
 
 

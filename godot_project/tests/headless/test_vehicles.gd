@@ -13,8 +13,7 @@ func add_vehicle() -> VehicleBody3D:
 	add_child(ground)
 	var vehicle := VehicleBody3D.new()
 	vehicle.mass = 400.0
-	var chassis := BoxShape3D.new()
-	chassis.size = Vector3(1.6, 0.4, 3.2)
+	var chassis := box(Vector3(1.6, 0.4, 3.2))
 	add_shape(vehicle, chassis, Transform3D(Basis(), Vector3(0, 0.7, 0)))
 	for place in WHEELS:
 		var wheel := VehicleWheel3D.new()
@@ -58,6 +57,16 @@ func test_wheels_press_the_grass() -> void:
 	assert_eq(field.get_counters().wheels, 0)
 	await ticks_to_sleep(field)
 	assert_greater(awake, 3)
+
+
+func test_a_vehicle_that_leaves_takes_its_wheels_along() -> void:
+	var field := add_field({size = Vector2(12, 12)})
+	var vehicle := add_vehicle()
+	await ticks(60)
+	assert_eq(field.get_counters().wheels, 4)
+	vehicle.position.x += 500.0
+	await ticks_to_sleep(field)
+	assert_eq(field.get_counters().wheels, 0)
 
 
 func test_wheels_that_slip_leave_tracks() -> void:

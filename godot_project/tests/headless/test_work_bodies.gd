@@ -21,11 +21,9 @@ func test_few_calls_of_the_engine() -> void:
 ## Adds a ball on a floor under the grass: asleep after a while.
 func add_sleeper(field: GrassField) -> RigidBody3D:
 	field.sleep_mode = GrassField.SLEEP_TIMER
-	var floor_shape := BoxShape3D.new()
-	floor_shape.size = Vector3(8, 1, 8)
+	var floor_shape := box(Vector3(8, 1, 8))
 	add_body(StaticBody3D.new(), floor_shape, Vector3(0, -0.5, 0))
-	var crate := BoxShape3D.new()
-	crate.size = Vector3(0.4, 0.4, 0.4)
+	var crate := box(Vector3(0.4, 0.4, 0.4))
 	var body := add_body(RigidBody3D.new(), crate, Vector3(0.1, 0.21, 0.1)) as RigidBody3D
 	await wait_until(func() -> bool: return body.sleeping, "the crate sleeps", true)
 	await ticks(20)
@@ -116,8 +114,7 @@ func test_a_crowd_without_slots_is_read_seldom() -> void:
 ## last.
 func test_a_body_that_waited_for_slots_bends_grass_where_it_is() -> void:
 	var field := add_field({size = Vector2(40, 8), pool_tiles = 100, sleep_mode = GrassField.SLEEP_TIMER})
-	var lid := BoxShape3D.new()
-	lid.size = Vector3(6, 0.1, 6)
+	var lid := box(Vector3(6, 0.1, 6))
 	var cover := add_held_body(lid, Vector3(-16, 0.3, 0))
 	await ticks(3)
 	var mover := add_held_body(ball(0.1), Vector3(-8, 0.2, 0))

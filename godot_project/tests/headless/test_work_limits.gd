@@ -3,12 +3,6 @@
 extends "res://tests/world_case.gd"
 
 
-func _box(size: Vector3) -> BoxShape3D:
-	var box := BoxShape3D.new()
-	box.size = size
-	return box
-
-
 func test_blades() -> void:
 	var field := add_field({size = Vector2(100, 100)})
 	await ticks(1)
@@ -29,12 +23,12 @@ func test_areas() -> void:
 	await ticks(1)
 	for method: String in ["cut", "get_mown_share", "regrow", "bake_ground", "bake_ground_from"]:
 		expect_error("%s() would act on" % method)
-	assert_eq(field.cut(_box(Vector3(3000, 1, 3000)), Transform3D()).area, 0.0)
+	assert_eq(field.cut(box(Vector3(3000, 1, 3000)), Transform3D()).area, 0.0)
 	assert_true(field.map == null, "a call that is refused makes no map")
-	assert_near(field.cut(_box(Vector3(10, 1, 10)), Transform3D(Basis(), Vector3(0, 0.55, 0))).area, 100.0, 2.0)
+	assert_near(field.cut(box(Vector3(10, 1, 10)), Transform3D(Basis(), Vector3(0, 0.55, 0))).area, 100.0, 2.0)
 	assert_eq(field.get_mown_share(), 0.0)
 	field.regrow(1.0, 1.0)
-	assert_eq(field.get_mown_share(_box(Vector3(8, 1, 8)), Transform3D()), 1.0, "nothing has grown")
+	assert_eq(field.get_mown_share(box(Vector3(8, 1, 8)), Transform3D()), 1.0, "nothing has grown")
 	assert_eq(field.bake_ground(), 0)
 	assert_eq(field.bake_ground(Rect2(-1, -1, 2, 2)), 0, "no ground there, and no error")
 	var ground := HeightMapShape3D.new()
@@ -45,7 +39,7 @@ func test_areas() -> void:
 	expect_error("fill() would fill 2097152 square metres at once")
 	assert_eq(field.fill(GrassFillRule.new()), 0.0)
 	# A square of 1,024 m is just allowed.
-	assert_near(field.get_mown_share(_box(Vector3(1024, 9, 1024)), Transform3D(Basis(), Vector3(512, 0, 0))), 0.0, 0.001)
+	assert_near(field.get_mown_share(box(Vector3(1024, 9, 1024)), Transform3D(Basis(), Vector3(512, 0, 0))), 0.0, 0.001)
 
 
 func test_a_world_cuts_all_or_nothing() -> void:
@@ -53,10 +47,10 @@ func test_a_world_cuts_all_or_nothing() -> void:
 	await go(world, Vector3.ZERO)
 	assert_greater(world.get_fields().size(), 1)
 	expect_error("cut() would act on")
-	assert_eq(world.cut(_box(Vector3(1e4, 1, 1e4)), Transform3D()).area, 0.0)
+	assert_eq(world.cut(box(Vector3(1e4, 1, 1e4)), Transform3D()).area, 0.0)
 	for field in world.get_fields():
 		assert_eq(field.map.get_memory_usage() if field.map else 0, GrassMap.new().get_memory_usage() if field.map else 0, field.name)
-	assert_near(world.cut(_box(Vector3(40, 1, 40)), Transform3D(Basis(), Vector3(0, 0.55, 0))).area, 1600.0, 10.0, "over four plots")
+	assert_near(world.cut(box(Vector3(40, 1, 40)), Transform3D(Basis(), Vector3(0, 0.55, 0))).area, 1600.0, 10.0, "over four plots")
 	expect_error("at most 4096 m can be painted at once")
 	assert_eq(world.paint(brush(GrassBrush.TOOL_ERASE, 1.0), Vector3.ZERO, Vector3(5000, 0, 0)), 0.0)
 

@@ -10,8 +10,8 @@ namespace grass {
 
 namespace {
 
-// Function p_order of the basis at the share p_place of the way from root to tip: 1 - s times the Jacobi polynomial of 2 s - 1 that makes
-// all of them orthonormal, by its recurrence.
+// Returns function p_order of the basis at the share p_place of the way from root to tip: 1 - s times the Jacobi polynomial of 2 s - 1 that
+// makes all of them orthonormal, by its recurrence.
 double basis_at(int p_order, double p_place) {
 	const double x = 2.0 * p_place - 1.0;
 	double before = 0.0, now = 1.0;
@@ -35,7 +35,7 @@ template <class Body> double integral(double p_from, double p_to, const Body &p_
 	}
 	return sum * half;
 }
-// Along the whole blade.
+// Integrates along the whole blade.
 template <class Body> double along_blade(const Body &p_body) {
 	double sum = 0.0;
 	for (int s = 0; s < GRASS_SEGMENTS; s++) {

@@ -6,10 +6,11 @@
 
 namespace grass {
 
-// Returns by how much joint p_joint is turned, radians, if number p_order of a kind is 1: what shaders/strain/basis.inc lists.
+// Returns by how much joint p_joint is turned, radians, if number p_order of a kind is 1: the numbers in shaders/strain/basis.inc.
 double joint_turn_of(int p_joint, int p_order);
 
-// p_taper, p_width_to_thickness: TAPER and WIDTH_TO_THICKNESS of solver_params.h. Takes some 50 microseconds.
+// Returns what a section makes of the basis. p_taper, p_width_to_thickness: TAPER and WIDTH_TO_THICKNESS of solver_params.h. Takes some 50
+// microseconds.
 StrainSection<float> make_strain_section(double p_taper, double p_width_to_thickness);
 
 } // namespace grass

@@ -17,8 +17,8 @@ public:
 	StrainSections();
 	~StrainSections();
 
-	// Returns those of the species that take these steps, in their order: found anew, some 50 microseconds each, only for those that have
-	// changed. Valid until the next call.
+	// Returns the sections of the species that take these steps, in their order. Only those that have changed are computed, in some 50
+	// microseconds each. Valid until the next call.
 	std::span<const StrainSection<float>> find(std::span<const GrassStep> p_steps);
 	// Returns the same as the numbers that strains.glsl reads.
 	std::span<const float> find_numbers(std::span<const GrassStep> p_steps);

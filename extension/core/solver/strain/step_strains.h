@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step of a tile's blades by their strains over any lane type. core/solver/step_tile.h takes it where TileState::sections wants it.
+// The step of a tile's blades by their strains over any lane type. core/solver/step_tile.h takes it where there are TileState::sections.
 #pragma once
 
 #include "core/solver/strain/strain.h"

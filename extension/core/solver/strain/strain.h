@@ -65,8 +65,8 @@ template <class T> GRASS_INLINE void put_force(StrainBlade<T> &r_blade, int p_ma
 template <class T> GRASS_INLINE const Vec3<T> &force_on(const StrainBlade<T> &p_blade, int p_mass) {
 	return p_blade.forces[p_mass];
 }
-// Goes on to the numbers at the step's end. The share p_share of the present ones becomes those before; of 0 all, even of what is not
-// finite.
+// Goes on to the numbers at the step's end. The share p_share of the present ones becomes those before. With a share of 0 these are 0, even
+// if a number was not finite.
 template <class T> GRASS_INLINE void move_to(StrainBlade<T> &r_blade, const Strains<T> &p_next, const T &p_share) {
 	const auto is_none = !(p_share > T(0.0f));
 	for (int n = 0; n < GRASS_STRAINS; n++) {
