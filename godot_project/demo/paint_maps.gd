@@ -42,11 +42,7 @@ func _paint_meadow(place: Node3D) -> void:
 	_draw(GrassBrush.TOOL_HEIGHT, [[-30, -30], [-10, -34], [10, -30], [30, -34]], {target = 0.55, radius = 9.0, hardness = 0.2})
 	_draw(GrassBrush.TOOL_COMB, [[-12, -6], [0, -10], [12, -12]], {radius = 5.0, hardness = 0.2, strength = 0.6})
 	_draw(GrassBrush.TOOL_SPECIES, [[-9, 16], [-4, 15], [2, 18]], {species = 3, radius = 1.0})
-	var trail := Trail.new()
-	trail.points = Trail.points_of((place.get_node("Path") as Path3D).curve)
-	trail.species = 1
-	var size: Vector2 = place.get_node("Field").size
-	trail.wear(_map, Rect2(-0.5 * size, size))
+	_wear(place.get_node("Path").curve, place, 1, 0.0)
 	_draw(
 		GrassBrush.TOOL_ERASE,
 		[[-40, -40], [40, -40], [40, -20], [-40, -20], [-40, 0], [40, 0], [40, 20], [-40, 20], [-40, 40], [40, 40]],
@@ -67,7 +63,7 @@ func _paint_lawn(_place: Node3D) -> void:
 	_draw(GrassBrush.TOOL_ERASE, [[12.5, -9]], {radius = 0.9, hardness = 0.4})
 
 
-func _paint_reeds(_place: Node3D) -> void:
+func _paint_reeds(place: Node3D) -> void:
 	var everywhere: Array = []
 	for row in 17:
 		for side: int in [-30, 30] if row % 2 == 0 else [30, -30]:
@@ -75,7 +71,21 @@ func _paint_reeds(_place: Node3D) -> void:
 	_draw(GrassBrush.TOOL_PAINT, everywhere, {radius = 4.0, height_min = -0.6})
 	_draw(GrassBrush.TOOL_SPECIES, everywhere, {species = 2, radius = 4.0, height_min = -0.6, height_max = 0.1})
 	_draw(GrassBrush.TOOL_DENSITY, everywhere, {target = 0.4, radius = 4.0, height_min = -0.6, height_max = 0.0})
-	_draw(GrassBrush.TOOL_ERASE, [[-4, 12], [-3, 2], [-3, -4]], {radius = 1.4, hardness = 0.3, strength = 0.9})  # a landing
+	var landing := Curve3D.new()
+	landing.add_point(Vector3(-3, 0, -5))
+	landing.add_point(Vector3(-4, 0, 12), Vector3(1, 0, -5), Vector3(-1, 0, 5))
+	landing.add_point(Vector3(-15, 0, 31))
+	_wear(landing, place, 0, 16.0)
+
+
+## A path along a curve, with a species beside it, which gets lost within `fade` metres of its end.
+func _wear(curve: Curve3D, place: Node3D, species: int, fade: float) -> void:
+	var trail := Trail.new()
+	trail.points = Trail.points_of(curve)
+	trail.species = species
+	trail.fade = fade
+	var size: Vector2 = place.get_node("Field").size
+	trail.wear(_map, Rect2(-0.5 * size, size))
 
 
 ## A stroke through points of the field's plane, [x, z] or Vector3.
