@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The layer `web`: builds the libraries for Web, with threads and without, and reads them. The one without is loaded in Node.js, and its
-bits are compared with those of this machine, and with recorded ones. Then the demo's page is made, with an engine that is built once, and played (testing_page.py).
+bits are compared with those of this machine, and with recorded ones. Then the demo's page is made, with an engine that is built once, and
+played (testing_page.py).
 """
 
 import os
