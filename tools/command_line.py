@@ -121,7 +121,9 @@ def parser():
 	)
 	trial.add_argument("--picture", default=None, metavar="FILE", help="of the window")
 	trial.add_argument(
-		"--compare", action="store_true", help="instead, compare such files, or all in these folders: the same bits everywhere"
+		"--compare",
+		action="store_true",
+		help="instead, compare such files and pictures, or all in these folders: bits are the same, pictures alike",
 	)
 
 	clean = commands.add_parser("clean", help="remove what was built")

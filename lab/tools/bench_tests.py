@@ -144,6 +144,23 @@ def one_set():
 		)
 
 
+def here_alone():
+	"""Where no card was asked, the set stays that of its commit, and the processor's tables say of which they are."""
+	with tempfile.TemporaryDirectory() as place:
+		folder, card, here = copied(place)
+		before = Tables(folder)
+		with contextlib.redirect_stdout(io.StringIO()):
+			new_set.write(pathlib.Path(place, "none"), here, folder, COMMIT, False)
+		after = Tables(folder)
+		page = (folder / "README.md").read_text()
+		return expected(
+			("the set's commit", after.commit, before.commit),
+			("a card's table", after.parts["draw"], before.parts["draw"]),
+			("the processor's", after.parts["flops"]["table"], "2031-02-03-epyc/flops.csv"),
+			("the page names its commit", f"flops.csv ({COMMIT})" in page, True),
+		)
+
+
 def refused():
 	"""Samples, and tables of sources that are not committed, do not become pages of lab/results."""
 	said = []
@@ -221,6 +238,7 @@ TESTS = {
 	"lab/bench resumes on a card": resumed,
 	"lab/bench resumes here": records,
 	"lab/bench one set": one_set,
+	"lab/bench here alone": here_alone,
 	"lab/bench samples are no pages": refused,
 	"lab/bench first lines": first_lines,
 }

@@ -36,14 +36,15 @@ def gathered(card, here):
 
 
 def write(card, here, folder, commit, is_quick):
-	"""`card`, `here`: folders with tables and records; `folder`: lab/results, or a copy."""
+	"""`card`, `here`: folders with tables and records; `folder`: lab/results, or a copy. Without records of a card the set stays that of
+	its commit."""
 	new = gathered(card, here)
-	if not any(BY_NAME[name].where != HERE for name in new):
-		raise Failure(f"There are no records of parts in {card}.", 2)
+	if not new:
+		raise Failure(f"There are no records of parts in {card} and {here}.", 2)
 	if folder == FOLDER and (bad := sorted(name for name, (_, record) in new.items() if record["quick"] or DIRTY in record["commit"])):
 		raise Failure(f"These are samples, or of sources that are not committed: {', '.join(bad)}. Such tables are for another --out.", 2)
 	tables = Tables(folder)
-	tables.commit = next(record["commit"] for name, (_, record) in new.items() if BY_NAME[name].where != HERE)
+	tables.commit = next((record["commit"] for name, (_, record) in new.items() if BY_NAME[name].where != HERE), tables.commit)
 	before = {tables.path(name) for name in tables.parts if not name.startswith("accuracy")}
 	date = max(record["date"] for _, record in new.values())
 	for name, (place, record) in new.items():

@@ -6,6 +6,7 @@ libraries that the engine brings along; they come from their own packages, and o
 """
 
 import os
+import pathlib
 import shutil
 import subprocess
 
@@ -20,6 +21,7 @@ LIBRARIES = TOOLS / "web_template_libraries"
 LOG = TOOLS / "web_template.log"
 NAME = "godot.web.template_release.wasm32.nothreads.dlink.zip"
 TEMPLATE = WEB_TEMPLATE / NAME
+NAMED = "GRASS_WEB_TEMPLATE"  # of the environment: the template to take instead, without threads and with extensions
 # Of each package the folder that the engine calls by the second name. A stable release's, which changes rarely.
 PARTS = {
 	"zlib": ("", "zlib"),
@@ -86,7 +88,11 @@ def make():
 
 
 def ensure():
-	"""Builds it, if that was not done yet. Returns the template."""
+	"""Builds it, if that was not done yet and the environment names no other. Returns the template."""
+	if named := os.environ.get(NAMED):
+		if not os.path.isfile(named):
+			raise Failure(f"{NAMED} names {named}: there is no such file.")
+		return pathlib.Path(named).resolve()
 	if TEMPLATE.exists():
 		return TEMPLATE
 	emscripten.ensure()

@@ -17,9 +17,11 @@ from tools.places import OUT, ROOT
 from tools.say import Failure, say
 
 EMPTY = ROOT / "tests/release/project"  # a project with a field that knows nothing of this one
+COMPARING = ROOT / "tests/release/compare.gd"
 EXTENSION = "res://addons/grass_field/grass_field.gdextension"
 SEEN = re.compile(r"^GrassField (\S+), (.*): (\d+) blades, the ball bends them by (\d\.\d+) m(?:, bits (\w+))?", re.MULTILINE)
 LIMIT = 900  # seconds
+APART_MOST, FAR_MOST = 1.0, 4.0  # of two drivers' pictures, in steps of 255: see compare.gd. Mobile's is 0.5 and 1.4 from Forward+'s
 
 
 def unpack(archive, project, sample=True):
@@ -51,11 +53,17 @@ def engine():
 	return shutil.which(named)
 
 
-def run(*command):
-	"""Returns the output of an engine that ends well. Raises Failure otherwise."""
+def run(*command, more=None):
+	"""Returns the output of an engine that ends well. Raises Failure otherwise. `more`: additions to the environment."""
 	try:
 		result = subprocess.run(
-			list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", timeout=LIMIT
+			list(map(str, command)),
+			env={**os.environ, **(more or {})},
+			stdin=subprocess.DEVNULL,
+			capture_output=True,
+			text=True,
+			errors="replace",
+			timeout=LIMIT,
 		)
 	except subprocess.TimeoutExpired:
 		raise Failure(f"The engine still runs after {LIMIT} s: {' '.join(map(str, command))}") from None
@@ -105,13 +113,44 @@ def run_all(archive, out=None, driver="", picture=None):
 		made[0].write_text(json.dumps(found, indent="\t") + "\n")
 
 
-def compare(paths):
-	"""Raises Failure unless all files that run_all() wrote have the same bits. `paths`: files, or folders of them."""
-	files = [file for path in map(pathlib.Path, paths) for file in (sorted(path.rglob("*.json")) if path.is_dir() else [path])]
-	results = {file: json.loads(file.read_text()) for file in files}
-	if len(results) < 2:
-		raise Failure(f"{len(results)} results: nothing to compare.", 2)
+def files_in(paths, kind):
+	"""Returns the files of a kind (".json") among `paths` and in those that are folders."""
+	found = [file for path in map(pathlib.Path, paths) for file in (sorted(path.rglob(f"*{kind}")) if path.is_dir() else [path])]
+	return [file for file in found if file.suffix == kind]
+
+
+def compare(paths, command=None, more=None):
+	"""Raises Failure unless all files that run_all() wrote have the same bits, and all pictures look alike. `paths`: files, or folders of
+	them; `command`, `more`: an engine without a window, and additions to its environment."""
+	results, pictures = files_in(paths, ".json"), files_in(paths, ".png")
+	if len(results) == 1 or len(pictures) == 1 or not results + pictures:
+		raise Failure(f"{len(results)} results and {len(pictures)} pictures: nothing to compare.", 2)
+	if results:
+		compare_bits({file: json.loads(file.read_text()) for file in results})
+	if pictures:
+		compare_pictures(pictures, command or [engine(), "--headless"], more)
+
+
+def compare_bits(results):
 	rows = [f"{one['bits']}  {one['system']}, {one['engine']} ({file.name})" for file, one in results.items()]
 	if len({one["bits"] for one in results.values()}) > 1:
 		raise Failure("Systems differ in what blades do:\n" + "\n".join(rows))
 	say("The same bits everywhere:\n" + "\n".join(rows))
+
+
+def pictures_apart(command, pairs, more=None):
+	"""Returns what compare.gd says of each pair of pictures. `command`: an engine without a window."""
+	said = run(*command, "--script", COMPARING, "--", *(file for pair in pairs for file in pair), more=more)
+	found = [json.loads(line) for line in said.splitlines() if line.startswith("{")]
+	if len(found) != len(pairs) or any("error" in one for one in found):
+		raise Failure(f"The pictures could not be compared:\n{said[-2000:]}")
+	return found
+
+
+def compare_pictures(files, command, more):
+	first, *others = files
+	found = pictures_apart(command, [(first, other) for other in others], more)
+	rows = [f"{one['apart']:.2f} apart, {one['far']:.2f} at most  {other}" for one, other in zip(found, others)]
+	if any(one["apart"] > APART_MOST or one["far"] > FAR_MOST for one in found):
+		raise Failure(f"Pictures differ from {first}, in steps of 255:\n" + "\n".join(rows))
+	say(f"The picture of {first} everywhere, in steps of 255:\n" + "\n".join(rows))

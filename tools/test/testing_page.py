@@ -13,7 +13,7 @@ from tools.build import emscripten
 from tools.fetch import machine
 from tools.fetch.roots import BROWSER
 from tools.places import ROOT
-from tools.release import page, release
+from tools.release import page, release, trial
 from tools.run import engine
 from tools.say import Failure, progress
 
@@ -80,18 +80,12 @@ def played():
 
 @functools.cache
 def compared():
-	"""What tests/web/compare.gd says of pairs of pictures, by their names."""
+	"""What tests/release/compare.gd says of pairs of pictures, by their names."""
 	played()
 	picture_on_desktop()
 	pairs = (("desktop", "stands"), ("stands", "without_shadows"))
-	files = [str(PICTURES / f"{name}.png") for pair in pairs for name in pair]
 	command, environment = engine.headless()
-	said = []
-	engine.run([*command, "--script", str(TESTS / "compare.gd"), "--", *files], environment, said.append)
-	found = [json.loads(line) for line in said if line.startswith("{")]
-	if len(found) != len(pairs) or any("error" in one for one in found):
-		raise Failure("The pictures could not be compared:\n" + "\n".join(said[-20:]))
-	return dict(zip(pairs, found))
+	return dict(zip(pairs, trial.pictures_apart(command, [[PICTURES / f"{name}.png" for name in pair] for pair in pairs], environment)))
 
 
 def expect(condition, text):

@@ -12,9 +12,11 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
 import zipfile
+import zlib
 
 from tools.build import names, toolchains
 from tools.fetch import machine, settle
@@ -125,6 +127,35 @@ def parts_are_listed(sources):
 	libraries = {file["SPDXID"] for file in document["files"] if "/bin/" in file["fileName"]}
 	check(linked == libraries and len(libraries) == len(sources), f"{libraries ^ linked} have no parts, or are no libraries")
 	check(all(re.match(r"\d", entry["versionInfo"]) for entry in document["packages"]), "a part has no version")
+
+
+def picture(shade):
+	"""Returns a grey PNG of 32 x 32 pixels."""
+	parts = (
+		(b"IHDR", struct.pack(">IIBBBBB", 32, 32, 8, 0, 0, 0, 0)),
+		(b"IDAT", zlib.compress((b"\0" + bytes([shade]) * 32) * 32)),
+		(b"IEND", b""),
+	)
+	return b"\x89PNG\r\n\x1a\n" + b"".join(
+		struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in parts
+	)
+
+
+def pictures_are_compared(_sources):
+	"""So are pictures: lighter ones are found, by more than drivers round."""
+	folder = WORK / "drawn"
+	shutil.rmtree(folder, ignore_errors=True)
+	folder.mkdir()
+	for name, shade in (("a", 100), ("b", 101)):
+		(folder / f"{name}.png").write_bytes(picture(shade))
+	trial.compare([folder], *engine.headless())
+	(folder / "c.png").write_bytes(picture(103))
+	try:
+		trial.compare([folder], *engine.headless())
+	except Failure as failure:
+		check("3.00 apart" in str(failure), str(failure))
+		return
+	raise Failure("a lighter picture is taken for the same")
 
 
 def results_are_compared(_sources):
@@ -298,6 +329,7 @@ PACKING = {
 	"SHA256SUMS are right": sums_are_right,
 	"every part is listed": parts_are_listed,
 	"results of several systems are compared": results_are_compared,
+	"pictures of several drivers are compared": pictures_are_compared,
 	"each library finds its symbols": symbols_find_their_library,
 	"the demo is whole": demo_is_whole,
 	"an archive of the repository holds the add-on alone": archive_is_the_addon,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The layer `web`: builds the libraries for Web, with threads and without, and reads them. The one without is loaded in Node.js, and its
-bits are compared with those of this machine. Then the demo's page is made, with an engine that is built once, and played (testing_page.py).
+bits are compared with those of this machine, and with recorded ones. Then the demo's page is made, with an engine that is built once, and
+played (testing_page.py).
 """
 
 import os
@@ -82,6 +83,11 @@ def same_bits():
 	testing_platforms.same_lines(here, node("bits/bits"))
 
 
+def recorded_bits():
+	said = node("golden/golden_tests", "--no-colors=true")
+	expect(re.search(r"test cases: +[1-9]\d* \| +[1-9]\d* passed \| +0 failed", said), said[-1000:])
+
+
 CHECKS = {
 	"a side module that offers its entry": is_a_side_module,
 	"its memory and threads are those of the template": agrees_about_threads,
@@ -91,6 +97,7 @@ CHECKS = {
 RUNS = {
 	"loads in Node.js, and registers what the library for this machine does": registers_the_same,
 	"steps 100 random scenes to the bits that they have on this machine": same_bits,
+	"steps golden scenes to the recorded bits": recorded_bits,
 }
 
 
@@ -98,7 +105,7 @@ def run_layer(only):
 	build.scons("extension", "host", "bits")
 	for threads in (False, True):
 		build.scons("extension", *options(threads, "target=release", "symbols=yes"))
-	build.scons("host", "bits", *options(False))
+	build.scons("host", "bits", "golden", *options(False))
 	tally = Tally()
 	for threads in (False, True):
 		kind = f"web with{'' if threads else 'out'} threads"
