@@ -5,7 +5,7 @@
 extends StaticBody3D
 
 const Terrain := preload("res://demo/terrain.gd")
-const Far := preload("res://demo/walk/hills.gdshader")
+const SHADER := "res://demo/walk/hills.gdshader"
 const STEP := 4  # metres from one height of the noise to the next; heights between them are interpolated
 const FAR_STEP := 16.0  # metres, of the hills to the horizon
 const FAR := 1600.0  # metres, from the middle to their end
@@ -49,7 +49,7 @@ func make(p_side: int) -> void:
 	var collider := CollisionShape3D.new()
 	collider.shape = shape
 	add_child(collider)
-	_material.shader = Far
+	_material.shader = load(SHADER)
 	_material.set_shader_parameter("earth", EARTH)
 	_material.set_shader_parameter("begin", maxf(0.5 * side, FIRST_FIELD))
 	var look := MeshInstance3D.new()

@@ -3,7 +3,7 @@
 ## that weather and sky reach them all.
 extends RefCounted
 
-const Thing := preload("res://demo/walk/thing.gdshader")
+const SHADER := "res://demo/walk/thing.gdshader"
 const SKY := Color(0.6, 0.7, 0.82)  # that shines on things, by day
 
 static var _painted: ShaderMaterial
@@ -13,7 +13,7 @@ static var _painted: ShaderMaterial
 static func painted() -> ShaderMaterial:
 	if _painted == null:
 		_painted = ShaderMaterial.new()
-		_painted.shader = Thing
+		_painted.shader = load(SHADER)
 	return _painted
 
 

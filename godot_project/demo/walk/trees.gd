@@ -28,7 +28,7 @@ const SPRIGS := 9  # on a card, each with leaves on both sides
 const PAIRS := 12  # of leaves on a sprig
 
 const Hills := preload("res://demo/walk/hills.gd")
-const Foliage := preload("res://demo/walk/foliage.gdshader")
+const SHADER := "res://demo/walk/foliage.gdshader"
 
 var count := 0  ## trees
 var others: Array[Vector3] = []  ## places of trees besides those in groves
@@ -106,7 +106,7 @@ static func _bark() -> StandardMaterial3D:
 static func _foliage() -> ShaderMaterial:
 	if _leaves == null:
 		_leaves = ShaderMaterial.new()
-		_leaves.shader = Foliage
+		_leaves.shader = load(SHADER)
 		_leaves.set_shader_parameter("twig", ImageTexture.create_from_image(_twig()))
 	return _leaves
 

@@ -83,9 +83,10 @@ func assert_is_like_sixteen_samples(words: String) -> void:
 	var plain := await roughness(1)
 	var sampled := await roughness(4)
 	var rougher := sqrt(plain.x / sampled.x)
+	var forward := RenderingServer.get_current_rendering_method() != "gl_compatibility"
 	print("    %s: %.2f times as rough as 16 samples, %.3f of their light" % [words, rougher, plain.y / sampled.y])
 	assert_less(rougher, 1.2, words)
-	assert_near(plain.y / sampled.y, 1.0, 0.065, words)
+	assert_near(plain.y / sampled.y, 1.0, 0.065 if forward else 0.085, words)
 
 
 ## A field whose ground rises evenly along -z, by `rise` metres a metre.

@@ -84,7 +84,7 @@ func test_leaves_in_a_low_sun_have_no_dots() -> void:
 	var leafy := make(1.0, Color(0.3, 0.5, 0.2), {length_min = 0.1, length_max = 0.2, width_min = 0.003, width_max = 0.003})
 	leafy.leaf = flower(Color(0.8, 0.8, 0.8))
 	leafy.leaf_size = 0.06
-	var field := add_seen_field({size = Vector2(4, 4), density = 700.0, species = [leafy]})
+	var field := add_seen_field({size = Vector2(4, 4), density = 700.0, species = [leafy], soil_enabled = false})
 	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
 	var sun := viewport.get_child(1) as DirectionalLight3D
 	sun.rotation_degrees = Vector3(-8, 40, 0)
@@ -97,8 +97,9 @@ func test_leaves_in_a_low_sun_have_no_dots() -> void:
 	var with := await picture()
 	save(with, "leaves_low_sun")
 	var off := difference(without, with)
-	print("    shadows change pixels by %.4f" % off.y)
-	assert_less(off.y, 0.0017)  # 0.0012; 0.0022 if leaves look their shadows up where they are
+	print("    shadows change pixels by %.5f" % off.y)
+	# 0.00037; 0.00051 if leaves look their shadows up where they are, as they do in Compatibility.
+	assert_less(off.y, 0.0006 if RenderingServer.get_current_rendering_method() == "gl_compatibility" else 0.00044)
 	assert_near(light_of(with).g / light_of(without).g, 1.0, 0.06)
 
 
