@@ -12,7 +12,8 @@ const FAR := 1600.0  # metres, from the middle to their end
 const RELIEF := 26.0  # metres
 const EARTH := Color(0.4, 0.48, 0.2)  # at the horizon: about the colour of far grass
 const FIRST_FIELD := 350.0  # metres from the middle, at least, from where on there are fields, hedges and woods
-const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
+const SUNK := 0.4  # metres that the hills to the horizon are lower where the grass ends
+const BELOW_GRASS := 3.0  # metres that they are lower farther in, where their long edges would bridge hollows and show through the grass
 const BELOW_TERRAIN := 8.0  # metres that they are lower at a terrain, whose every bump they do not follow
 const BLEND := 70.0  # metres from a terrain's border to where the hills are as without it
 const SEAM := 8  # metres from a terrain's border to where heights of the noise are interpolated: right beside it that would leave a ditch
@@ -135,6 +136,12 @@ func _lay(p_terrain: Terrain) -> void:
 	shape.map_data = heights
 
 
+## Metres that the hills to the horizon are lower at a place.
+func _sunk(place: Vector2) -> float:
+	var inside := 0.5 * side - maxf(absf(place.x), absf(place.y))
+	return lerpf(BELOW_TERRAIN, BELOW_GRASS if inside > 2.0 * FAR_STEP else SUNK, _beyond_terrain(place))
+
+
 func _mesh() -> ArrayMesh:
 	var reach := maxf(FAR, 1.5 * side)
 	var count := int(2.0 * reach / FAR_STEP) + 1
@@ -143,7 +150,7 @@ func _mesh() -> ArrayMesh:
 	for z in count:
 		for x in count:
 			var at := Vector2(x, z) * FAR_STEP - Vector2.ONE * reach
-			points.append(Vector3(at.x, _rise(at) - lerpf(BELOW_TERRAIN, SUNK, _beyond_terrain(at)), at.y))
+			points.append(Vector3(at.x, _rise(at) - _sunk(at), at.y))
 	for z in count:
 		for x in count:
 			var across := points[z * count + mini(x + 1, count - 1)] - points[z * count + maxi(x - 1, 0)]
