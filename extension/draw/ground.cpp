@@ -30,6 +30,10 @@ constexpr double CELL = GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS;
 constexpr int MOST_CELLS = 256;
 constexpr double CLOSE = 0.01; // metres; closer lines are one
 
+// How deep the sheet's rim hangs down on hills, metres, and metres more for each metre of a cell's side. A field beside it has other cells,
+// whose edge runs above and below its own. Less: one sees through between them; more: a rim in the air is seen where the ground ends.
+constexpr double RIM = 0.1, RIM_OF_CELLS = 0.1;
+
 // Returns where the sheet's cells begin and end along an axis, metres from the field's middle: where heights lie, if they have a grid of
 // their own.
 std::vector<double> lines_along(double p_metres, bool p_has_grid, double p_offset) {
@@ -76,10 +80,18 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet, const GroundGrid &p_heights) {
 	const bool is_flat = p_sheet == Sheet::FLAT, is_split = p_sheet == Sheet::LEDGES, has_grid = !(p_heights == GroundGrid());
 	const Eigen::Vector2d offset = p_heights.offset();
-	const std::vector<double> along_x = is_flat ? std::vector{ -0.5 * p_x, 0.5 * p_x } : lines_along(p_x, has_grid, offset.x()),
-							  along_z = is_flat ? std::vector{ -0.5 * p_z, 0.5 * p_z } : lines_along(p_z, has_grid, offset.y());
+	std::vector<double> along_x = is_flat ? std::vector{ -0.5 * p_x, 0.5 * p_x } : lines_along(p_x, has_grid, offset.x()),
+						along_z = is_flat ? std::vector{ -0.5 * p_z, 0.5 * p_z } : lines_along(p_z, has_grid, offset.y());
+	const double cell = std::max({ has_grid ? CELL : 0.0, p_x / double(along_x.size() - 1), p_z / double(along_z.size() - 1) });
+	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * cell;
+	const bool has_rim = p_sheet == Sheet::HILLS;
+	if (has_rim) { // its outer line lies below the edge
+		for (std::vector<double> *lines : { &along_x, &along_z }) {
+			lines->insert(lines->begin(), lines->front());
+			lines->push_back(lines->back());
+		}
+	}
 	const int columns = int(along_x.size()) - 1, rows = int(along_z.size()) - 1;
-	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max({ has_grid ? CELL : 0.0, p_x / columns, p_z / rows });
 	const int64_t cells = int64_t(columns) * rows;
 	PackedVector3Array vertices, normals;
 	PackedVector2Array middles; // of the cells
@@ -95,8 +107,10 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet, const G
 	Vector2 *middle = middles.ptrw();
 	for (int j = 0; j < rows + (is_split ? 0 : 1); j++) {
 		for (int i = 0; i < columns + (is_split ? 0 : 1); i++) {
+			const bool is_rim = has_rim && (i == 0 || i == columns || j == 0 || j == rows);
+			const double above = is_rim ? lift - RIM - RIM_OF_CELLS * cell : lift;
 			for (int corner = 0; corner < (is_split ? 4 : 1); corner++) {
-				*vertex++ = Vector3(real_t(along_x[size_t(i + (corner & 1))]), real_t(lift), real_t(along_z[size_t(j + (corner >> 1))]));
+				*vertex++ = Vector3(real_t(along_x[size_t(i + (corner & 1))]), real_t(above), real_t(along_z[size_t(j + (corner >> 1))]));
 				if (is_split) {
 					*middle++ = Vector2(real_t(0.5 * (along_x[size_t(i)] + along_x[size_t(i) + 1])),
 							real_t(0.5 * (along_z[size_t(j)] + along_z[size_t(j) + 1])));

@@ -130,3 +130,30 @@ func test_no_gap_between_adjoining_fields() -> void:
 	assert_less(means[10], 0.7, "soil, over a white floor")
 	print("    the lightest column at the seam has %.3f, one inside %.3f" % [lightest, means[10]])
 	assert_less(lightest, means[10] + 0.1)
+
+
+## The same on hills: a large field's sheet has coarser cells, so its edge runs above and below that of a small one.
+func test_no_gap_between_adjoining_fields_on_hills() -> void:
+	for wide: float in [16.0, 512.0]:
+		var heights := Image.create_empty(65, 65, false, Image.FORMAT_RF)
+		for z in 65:
+			for x in 65:
+				heights.set_pixel(x, z, Color(2.0 + 0.4 * sin(0.7 * z), 0, 0))
+		var map := GrassMap.new()
+		map.base_density = 1.0
+		map.set_ground(heights, Rect2(-16.25, -16.25, 32.5, 32.5) if wide < 100.0 else Rect2(-272.25, -16.25, 32.5, 32.5))
+		var looks := {
+			size = Vector2(wide, 32), map = map, density = 1.0, border_fade = 0.0, root_shade = 0.0, soil_color = Color(0.1, 0.1, 0.1)
+		}
+		var field := add_seen_field(looks)
+		field.position.x = 0.5 * wide if wide > 100.0 else -0.5 * wide
+		await grown(field)
+	camera.projection = Camera3D.PROJECTION_PERSPECTIVE
+	camera.fov = 40.0
+	for side: float in [-1.0, 1.0]:
+		look(Vector3(3.0 * side, 4.5, 3), Vector3(0, 2, 0))
+		var image := await picture()
+		save(image, "soil_seam_on_hills_%d" % side)
+		var lights := share_of(image, func(color: Color) -> bool: return color.b > 0.6)
+		print("    %.4f of the pixels show the floor through the seam, seen from %.0f" % [lights, side])
+		assert_eq(lights, 0.0, "no floor between the sheets")
