@@ -10,7 +10,9 @@ const Country := preload("res://demo/walk/country.gd")
 const Trees := preload("res://demo/walk/trees.gd")
 const Look := preload("res://demo/walk/look.gd")
 const SIDE := {true: 192, false: 1024}  # metres, of all grass: small, for software rendering, or not
-const CLOSE := 110.0  # metres, side up to which the grass around the middle is as dense as in the walk's own middle
+## Metres, side up to which the grass around the middle is as dense as in the walk's own middle. Farther out a blade is narrower than a
+## pixel from every camera of the demo, so wider blades look the same.
+const CLOSE := 320.0
 const MARGIN := 6.0  # metres, by which the level ground is larger than the middle
 
 var hills := Hills.new()

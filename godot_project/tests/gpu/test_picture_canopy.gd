@@ -91,7 +91,7 @@ func test_grass_is_as_light_below_two_suns_of_which_one_casts() -> void:
 		text = text % [HEIGHTS[i], light["one"][i], light["both"][i], light["neither"][i]]
 		print("    ", text)
 		assert_near(light["one"][i] / light["neither"][i], 1.0, UNLIKE, text)
-		assert_near(light["both"][i] / light["neither"][i], 1.0, UNLIKE if method == "forward_plus" else 2.0 * UNLIKE, text)
+		assert_near(light["both"][i] / light["neither"][i], 1.0, UNLIKE if method == "forward_plus" else 2.2 * UNLIKE, text)
 
 
 func test_shadows_of_other_things_are_black_on_grass() -> void:
