@@ -169,8 +169,8 @@ func _pinna(across: float, along: float) -> Vector2:
 ## One frond: pinnae in pairs along a stalk, longest in its lower half.
 func _grow_fern() -> void:
 	var stalk := Color(0.34, 0.3, 0.13)
-	var low := Color(0.24, 0.36, 0.13)
-	var high := Color(0.47, 0.59, 0.24)
+	var low := Color(0.3, 0.43, 0.16)
+	var high := Color(0.54, 0.67, 0.27)
 	_texture = _draw(_pinna)
 	_stalk([Vector3.ZERO, Vector3(0, 0.5, 0), Vector3(0, 0.97, 0)], 0.013, 0.003, stalk, stalk.lerp(low, 0.9))
 	const PAIRS := 11
@@ -183,7 +183,7 @@ func _grow_fern() -> void:
 			var fresh := low.lerp(high, clampf(0.3 + 0.45 * t + _dice.randf_range(-0.22, 0.22), 0.0, 1.0))
 			var up := Vector3(_dice.randf_range(-0.35, 0.35), 0.15 + _dice.randf_range(-0.3, 0.3), -1)
 			var from := Vector3(0, t + side * 0.006 + _dice.randf_range(-0.008, 0.008), 0)
-			_sheet(from, along, up, 0.21 * size + 0.01, fresh.darkened(0.25), fresh, 0.2)
+			_sheet(from, along, up, 0.21 * size + 0.01, fresh.darkened(0.2), fresh, 0.2)
 	_sheet(Vector3(0, 0.93, 0), Vector3(0, 0.07, 0.0), Vector3(0, 0, -1), 0.02, high, high)
 
 

@@ -20,7 +20,7 @@ const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Colo
 const NIGHT: Array[Color] = [Color(0.035, 0.05, 0.11), Color(0.1, 0.13, 0.22), Color(0.13, 0.16, 0.27)]
 const STARLIGHT := 0.12  # light of the day below which stars shine in place of clouds
 ## What a low sun adds by day to zenith, horizon and ambient light, and what its light makes of thin clouds.
-const LOW: Array[Color] = [Color(0.25, 0.41, 0.63), Color(0.94, 0.8, 0.6), Color(0.54, 0.51, 0.52)]
+const LOW: Array[Color] = [Color(0.25, 0.41, 0.63), Color(0.94, 0.8, 0.6), Color(0.64, 0.61, 0.62)]
 const LOW_CLOUDS := Color(1.0, 0.84, 0.66)
 const LOW_GLOW := 0.08  # Sun.GLOW_CURVE of a low sun
 const LOW_HAZE := 0.35  # share of the fog before the sun that has its colour

@@ -1,20 +1,30 @@
 # SPDX-License-Identifier: MIT
-## Trees in groves: a trunk with limbs, and a crown of cards with leaves that is darker inside and below. Two draw calls a kind of tree.
+## Trees in groves, some of them poplars, with bushes among the others: a trunk with limbs, and a crown of cards with leaves that is darker
+## inside and below. Two draw calls a kind.
 extends Node3D
 
 const GROVES := 26
 const IN_GROVE := Vector2i(1, 11)  # trees, fewest and most
 const SPREAD := 18.0  # metres, from the middle of a grove
-const HEIGHT := Vector2(6.0, 13.0)  # metres, smallest and tallest
 const LEAVES: Array[Color] = [
 	Color(0.44, 0.53, 0.23), Color(0.51, 0.58, 0.27), Color(0.36, 0.49, 0.23), Color(0.46, 0.55, 0.33), Color(0.48, 0.54, 0.25)
 ]
 const BARK := Color(0.4, 0.35, 0.29)
-const KINDS := 3  # of trees, each with a shape of its own
+## Each with a shape of its own. height: least and most, metres. In heights: crown, of the lowest and of the highest part; widest, from the
+## trunk to the middle of a part at most; part, about half the width of one, least and most.
+const KINDS: Array[Dictionary] = [
+	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.25, part = Vector2(0.07, 0.13)},
+	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.19, part = Vector2(0.07, 0.13)},
+	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.3, part = Vector2(0.07, 0.13)},
+	{height = Vector2(12.0, 18.0), crown = Vector2(0.14, 0.95), widest = 0.07, part = Vector2(0.05, 0.08)},
+	{height = Vector2(1.5, 3.2), crown = Vector2(0.15, 0.8), widest = 0.5, part = Vector2(0.15, 0.22)},
+]
+const BROAD := 3  # kinds that are neither of the next two
+const POPLAR := 3
+const BUSH := 4
+const POPLARS := 5  # of so many groves one has only poplars
+const BUSHES := 0.35  # of the plants in other groves
 const PARTS := 19  # of a crown, each at the end of a limb; lengths here are in heights of the tree
-const CROWN := Vector2(0.3, 0.92)  # heights of the lowest and of the highest part
-const WIDEST: Array[float] = [0.25, 0.19, 0.3]  # from the trunk to the middle of a part, at most, for each kind
-const PART := Vector2(0.07, 0.13)  # about half the width of a part, least and most
 const FLAT := 0.75  # height of a part over its width
 const FORK := 0.55  # where a limb leaves the trunk, over the height of its part
 const TRUNK := 0.021  # radius of the trunk above its foot
@@ -35,13 +45,14 @@ var others: Array[Vector3] = []  ## places of trees besides those in groves
 
 static var _leaves: ShaderMaterial  # of all trees
 
-var _places: Array[Transform3D] = []
+var _places: Array[Array] = []  # Transform3D, for each kind
 
 
 ## Plants groves on the hills, from `near` to `far` metres from the middle. The same numbers give the same trees.
 func make(hills: Hills, near: float, far: float) -> void:
 	var random := RandomNumberGenerator.new()
 	random.seed = 5
+	_places.assign(KINDS.map(func(_kind: Dictionary) -> Array: return []))
 	for grove in GROVES:
 		var way := TAU * (grove + random.randf()) / GROVES
 		var away := lerpf(near, far, pow(random.randf(), 1.7))  # most of them near
@@ -50,19 +61,17 @@ func make(hills: Hills, near: float, far: float) -> void:
 			var place := Vector2.from_angle(way) * (away + SPREAD) + off
 			var foot := Vector3(place.x, hills.ground_at(place) - 0.3, place.y)
 			if foot.y > hills.water:
-				_plant(foot, random)
-	for place in others:
-		_plant(place, random)
-	count = _places.size()
+				var other := BUSH if random.randf() < BUSHES else tree % BROAD
+				_plant(foot, POPLAR if grove % POPLARS == 2 else other, random)
+	for i in others.size():
+		_plant(others[i], i % BROAD, random)
 	var bark := _bark()
 	var foliage := _foliage()
-	for kind in KINDS:
-		var places: Array[Transform3D] = []
-		for i in range(kind, count, KINDS):
-			places.append(_places[i])
+	for kind in KINDS.size():
 		var parts := _parts(kind)
-		_add(_trunk(parts), places, bark, [BARK], random)
-		_add(_crown(parts), places, foliage, LEAVES, random)
+		_add(_trunk(parts, KINDS[kind].crown.y), _places[kind], bark, [BARK], random)
+		_add(_crown(parts, KINDS[kind].crown), _places[kind], foliage, LEAVES, random)
+		count += _places[kind].size()
 
 
 ## Covers all trees with snow, and wets them; each 0 to 1.
@@ -71,14 +80,14 @@ static func cover(snow: float, wetness: float) -> void:
 	_foliage().set_shader_parameter("wetness", wetness)
 
 
-func _plant(foot: Vector3, random: RandomNumberGenerator) -> void:
-	var height := random.randf_range(HEIGHT.x, HEIGHT.y)
+func _plant(foot: Vector3, kind: int, random: RandomNumberGenerator) -> void:
+	var height := random.randf_range(KINDS[kind].height.x, KINDS[kind].height.y)
 	var turned := Basis(Vector3.UP, TAU * random.randf())
 	var wide := height * random.randf_range(0.85, 1.15)
-	_places.append(Transform3D(turned.scaled(Vector3(wide, height, wide)), foot))
+	_places[kind].append(Transform3D(turned.scaled(Vector3(wide, height, wide)), foot))
 
 
-func _add(mesh: Mesh, places: Array[Transform3D], material: Material, colors: Array[Color], random: RandomNumberGenerator) -> void:
+func _add(mesh: Mesh, places: Array, material: Material, colors: Array[Color], random: RandomNumberGenerator) -> void:
 	var all := MultiMesh.new()
 	all.transform_format = MultiMesh.TRANSFORM_3D
 	all.use_colors = true
@@ -113,23 +122,29 @@ static func _foliage() -> ShaderMaterial:
 
 ## Returns the middles of a crown's parts, around the trunk and upwards, and about half their widths: in w.
 static func _parts(kind: int) -> Array[Vector4]:
+	var crown: Vector2 = KINDS[kind].crown
+	var part_size: Vector2 = KINDS[kind].part
 	var random := RandomNumberGenerator.new()
 	random.seed = 21 + kind
 	var parts: Array[Vector4] = []
 	for part in PARTS:
 		var up := (part + random.randf()) / PARTS
-		var away := WIDEST[kind] * sqrt(sin(PI * lerpf(0.25, 0.98, up))) * random.randf_range(0.35, 1.15)
+		var away: float = KINDS[kind].widest * sqrt(sin(PI * lerpf(0.25, 0.98, up))) * random.randf_range(0.35, 1.15)
 		var side := Vector2.from_angle(2.4 * part + random.randf_range(-0.5, 0.5)) * away
-		parts.append(Vector4(side.x, lerpf(CROWN.x, CROWN.y, up), side.y, lerpf(PART.y, PART.x, up * random.randf_range(0.5, 1.0))))
+		parts.append(
+			Vector4(side.x, lerpf(crown.x, crown.y, up), side.y, lerpf(part_size.y, part_size.x, up * random.randf_range(0.5, 1.0)))
+		)
 	return parts
 
 
 ## Makes the trunk of a tree that is 1 high, and a limb to each part of its crown.
-static func _trunk(parts: Array[Vector4]) -> ArrayMesh:
+static func _trunk(parts: Array[Vector4], top: float) -> ArrayMesh:
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
 	surface.set_color(Color.WHITE)
-	var rings: Array[Vector2] = [Vector2(0.0, FOOT), Vector2(0.03, 1.25), Vector2(0.1, 1.0), Vector2(0.4, 0.85), Vector2(CROWN.y, 0.2)]
+	var rings: Array[Vector2] = [
+		Vector2(0.0, FOOT), Vector2(0.03, 1.25), Vector2(0.1, 1.0), Vector2(0.4 * top + 0.03, 0.85), Vector2(top, 0.2)
+	]
 	for i in rings.size() - 1:
 		_add_tube(surface, rings[i].x * Vector3.UP, rings[i + 1].x * Vector3.UP, rings[i].y * TRUNK, rings[i + 1].y * TRUNK)
 	for part in parts:
@@ -156,12 +171,12 @@ static func _add_tube(surface: SurfaceTool, from: Vector3, to: Vector3, first: f
 
 
 ## Makes the crown of a tree that is 1 high: cards around the parts' middles, fewer with the distance, so that no outline is round.
-static func _crown(parts: Array[Vector4]) -> ArrayMesh:
+static func _crown(parts: Array[Vector4], heights: Vector2) -> ArrayMesh:
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
-	var heart := Vector3(0.0, 0.5 * (CROWN.x + CROWN.y), 0.0)
+	var heart := Vector3(0.0, 0.5 * (heights.x + heights.y), 0.0)
 	var cards := 0
 	for part in parts:
 		for card in CARDS:
