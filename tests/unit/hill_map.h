@@ -9,7 +9,10 @@
 namespace grass::test {
 
 inline const TileGrid HILL_GRID = TileGrid::make(40.0, 40.0, 256.0); // 80 x 80 tiles of 0.5 m
-inline const double TALLEST = double(shared_patch()->max_length) * CLUMP_TALLEST;
+// Returns the length of the longest blade, metres. A constant would make the patch before the program's other constants exist.
+inline double tallest() {
+	return double(shared_patch()->max_length) * CLUMP_TALLEST;
+}
 
 // A hill: 0.5 m up for each metre along x, and half as steep along z.
 inline void lay_slope(PaintMap &r_map) {

@@ -15,7 +15,7 @@ namespace {
 // An awake tile on a slope that is grown over.
 struct SlopeTile {
 	PaintMap map;
-	MapLayers layers{ MapPlace{ HILL_GRID, TALLEST, 1.0f } };
+	MapLayers layers{ MapPlace{ HILL_GRID, tallest(), 1.0f } };
 	CpuPool pool{ shared_patch(), 4 };
 	GrassSlot slot = fresh_slot(HILL_GRID, 50, 30);
 	StepInput input;

@@ -122,11 +122,11 @@ TEST_CASE("levels of a field: its tiles are drawn as if it had all of them, from
 
 TEST_CASE("levels of a field: the same on hills, mown, and thin") {
 	Random random{ std::mt19937(6) };
-	CullField field = make_field(24.0, float(TALLEST));
+	CullField field = make_field(24.0, float(tallest()));
 	field.grid = HILL_GRID;
 	PaintMap map = paint_varied();
 	paint(map, MapTool::CUT, 0.05, disc(4.0, 3.0, 5.0));
-	MapLayers layers({ HILL_GRID, TALLEST, 0.0f });
+	MapLayers layers({ HILL_GRID, tallest(), 0.0f });
 	layers.update(map, layers.get_region());
 	for (int i = 0; i < 60; i++) {
 		check_same(field, random_view(random, 1 + i % 2), layers.get_cover().get());

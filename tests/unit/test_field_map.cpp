@@ -68,7 +68,7 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	PaintMap map;
 	paint(map, MapTool::PAINT, 1.0, disc(5.0, 5.0, 6.0));
 	lay_slope(map);
-	MapLayers layers({ HILL_GRID, TALLEST, 0.0f });
+	MapLayers layers({ HILL_GRID, tallest(), 0.0f });
 	layers.update(map, layers.get_region());
 	const TileCover &cover = *layers.get_cover();
 	int bare = 0;
@@ -91,7 +91,7 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	}
 	const TileCover::Tile &inside = cover.get(50, 50);
 	CHECK(inside.grown == doctest::Approx(1.0).epsilon(0.01));
-	CHECK(inside.cut > TALLEST);
+	CHECK(inside.cut > tallest());
 	CHECK(inside.slope >= 0.55f);
 	CHECK(inside.slope <= 0.8f);
 	CHECK(bare == cover.get_bare_count());
@@ -107,7 +107,7 @@ TEST_CASE("map_layers: laid out chunk by chunk, with changes in between, it says
 	PaintMap map;
 	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 18.0));
 	lay_slope(map);
-	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	MapLayers layers({ HILL_GRID, tallest(), 0.25f });
 	CHECK(layers.get_waiting() == 4);
 	CHECK(layers.count_painted(map) == 4);
 	CHECK(layers.work(map).layers == std::vector<int>{ 0 });
@@ -124,7 +124,7 @@ TEST_CASE("map_layers: laid out chunk by chunk, with changes in between, it says
 		changes.add(layers.work(map));
 	}
 	CHECK(changes.tiles == TileRange{ 0, 80, 0, 80 });
-	MapLayers fresh({ HILL_GRID, TALLEST, 0.25f });
+	MapLayers fresh({ HILL_GRID, tallest(), 0.25f });
 	fresh.update(map, fresh.get_region());
 	for (int layer = 0; layer < 4; layer++) {
 		CHECK(layers.get_layer(layer).growth == fresh.get_layer(layer).growth);
@@ -141,7 +141,7 @@ TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is")
 	map.set_base_density(1.0);
 	lay_slope(map);
 	paint(map, MapTool::ERASE, 0.0, disc(-10.0, 0.0, 3.0));
-	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	MapLayers layers({ HILL_GRID, tallest(), 0.25f });
 	layers.update(map, layers.get_region());
 	TileBounds bounds(*shared_patch(), HILL_GRID, ClumpParams(), 0);
 	bounds.set_cover(layers.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
@@ -163,7 +163,7 @@ TEST_CASE("map_layers: tiles wake where bodies touch grass on a hill, and nowher
 	PaintMap map;
 	map.set_base_density(1.0);
 	lay_slope(map);
-	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	MapLayers layers({ HILL_GRID, tallest(), 0.25f });
 	layers.update(map, layers.get_region());
 	auto bounds = std::make_shared<TileBounds>(*shared_patch(), HILL_GRID, ClumpParams(), 0);
 	bounds->set_cover(layers.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);

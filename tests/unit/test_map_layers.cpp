@@ -73,7 +73,7 @@ TEST_CASE("map_layers: a tint blends into no tint without a trace of white") {
 
 TEST_CASE("map_layers: what is read around one place is what the layers say there") {
 	const PaintMap map = paint_varied();
-	const MapPlace field{ HILL_GRID, TALLEST, 0.25f };
+	const MapPlace field{ HILL_GRID, tallest(), 0.25f };
 	MapLayers layers(field), around;
 	layers.update(map, layers.get_region());
 	std::mt19937 random(1);

@@ -12,7 +12,7 @@ namespace {
 // The R2 sequence (Roberts 2018): any run of its points samples the square evenly. But they are a lattice, the same in each tile, and rows
 // would be seen across a lawn. So a root lies anywhere in a square around its point: its side is somewhat more than the distance between
 // 64 points. By chance alone roots would then be as close as random ones. So each takes the best of some places.
-const Eigen::Vector2d R2(0.7548776662466927, 0.5698402909980532);
+constexpr double R2_X = 0.7548776662466927, R2_Z = 0.5698402909980532;
 constexpr double ROOT_JITTER = 0.15;
 constexpr uint32_t ROOT_PLACES = 8;
 constexpr uint32_t ROOTS_SALT = 0x526f6f74u;
@@ -44,7 +44,7 @@ std::vector<Eigen::Vector2d> scatter_roots(uint32_t p_seed, int p_count) {
 		double most = -1.0;
 		for (uint32_t n = 0; n < ROOT_PLACES; n++) {
 			const Eigen::Vector2d jitter(random_share(base + 2 * n) - 0.5, random_share(base + 2 * n + 1) - 0.5);
-			Eigen::Vector2d place = (R2 * blade + ROOT_JITTER * jitter).array() + 0.5;
+			Eigen::Vector2d place = (Eigen::Vector2d(R2_X, R2_Z) * blade + ROOT_JITTER * jitter).array() + 0.5;
 			place -= place.array().floor().matrix();
 			if (const double room = room_at(roots, place, most); room > most) {
 				most = room;
