@@ -2,6 +2,11 @@
 ## A lawn in a rough meadow. Half of it is mown in stripes; a mower goes on with the rest, lane by lane, and a ball rolls over it.
 extends "res://demo/place.gd"
 
+const Ball := preload("res://demo/walk/ball.gd")
+const Look := preload("res://demo/walk/look.gd")
+const MowerLook := preload("res://demo/walk/mower_look.gd")
+const MOWER := Vector3(1.9, 0.18, 1.1)  # metres, of its deck
+const MOWER_HEIGHT := 0.06  # metres
 const LANES := 7
 const LANE := 2.0  # metres, width of the deck; the map stores combing on a grid of a metre
 const HALF := 10.0  # metres, half of a lane's length
@@ -25,6 +30,8 @@ func _ready() -> void:
 	_roller.radius = 0.5 * LANE
 	_roller.hardness = 0.8
 	_roller.strength = 0.6
+	Look.add_mesh(_mower, MowerLook.mesh(MOWER, MOWER_HEIGHT), Vector3.ZERO).rotation.y = -0.5 * PI  # it goes along x
+	Look.add_mesh($Ball, Ball.mesh(), Vector3.ZERO)
 	_place()
 	landscape.trees.others.append($Tree.position)
 	super()

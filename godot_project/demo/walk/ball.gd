@@ -18,11 +18,11 @@ func _ready() -> void:
 	var shape := SphereShape3D.new()
 	shape.radius = RADIUS
 	Look.add_shape(self, shape)
-	Look.add_mesh(self, _mesh(), Vector3.ZERO)
+	Look.add_mesh(self, mesh(), Vector3.ZERO)
 
 
 ## Gores of leather, with a valve at both ends.
-static func _mesh() -> ArrayMesh:
+static func mesh() -> ArrayMesh:
 	var mould := Mould.new()
 	mould.dirt = Vector2(-4.0 * RADIUS, 2.2 * RADIUS)  # some everywhere: it rolls
 	for i in 2 * STRIPES.size():

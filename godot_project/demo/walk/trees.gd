@@ -11,13 +11,54 @@ const LEAVES: Array[Color] = [
 ]
 const BARK := Color(0.4, 0.35, 0.29)
 ## Each with a shape of its own. height: least and most, metres. In heights: crown, of the lowest and of the highest part; widest, from the
-## trunk to the middle of a part at most; part, about half the width of one, least and most.
+## trunk to the middle of a part at most; part, about half the width of one, least and most; card, half the side of one, least and most; trunk,
+## its radius above its foot. tall: height of a part over its width.
 const KINDS: Array[Dictionary] = [
-	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.25, part = Vector2(0.07, 0.13)},
-	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.19, part = Vector2(0.07, 0.13)},
-	{height = Vector2(6.0, 13.0), crown = Vector2(0.3, 0.92), widest = 0.3, part = Vector2(0.07, 0.13)},
-	{height = Vector2(12.0, 18.0), crown = Vector2(0.14, 0.95), widest = 0.07, part = Vector2(0.05, 0.08)},
-	{height = Vector2(1.5, 3.2), crown = Vector2(0.15, 0.8), widest = 0.5, part = Vector2(0.15, 0.22)},
+	{
+		height = Vector2(6.0, 13.0),
+		crown = Vector2(0.3, 0.92),
+		widest = 0.25,
+		part = Vector2(0.07, 0.13),
+		card = Vector2(0.036, 0.064),
+		trunk = 0.021,
+		tall = 0.75,
+	},
+	{
+		height = Vector2(6.0, 13.0),
+		crown = Vector2(0.3, 0.92),
+		widest = 0.19,
+		part = Vector2(0.07, 0.13),
+		card = Vector2(0.036, 0.064),
+		trunk = 0.021,
+		tall = 0.75,
+	},
+	{
+		height = Vector2(6.0, 13.0),
+		crown = Vector2(0.3, 0.92),
+		widest = 0.3,
+		part = Vector2(0.07, 0.13),
+		card = Vector2(0.036, 0.064),
+		trunk = 0.021,
+		tall = 0.75,
+	},
+	{
+		height = Vector2(12.0, 18.0),
+		crown = Vector2(0.12, 0.93),
+		widest = 0.05,
+		part = Vector2(0.02, 0.065),
+		card = Vector2(0.022, 0.042),
+		trunk = 0.01,
+		tall = 2.2,
+	},
+	{
+		height = Vector2(1.5, 3.2),
+		crown = Vector2(0.1, 0.8),
+		widest = 0.5,
+		part = Vector2(0.15, 0.22),
+		card = Vector2(0.06, 0.1),
+		trunk = 0.02,
+		tall = 0.75,
+	},
 ]
 const BROAD := 3  # kinds that are neither of the next two
 const POPLAR := 3
@@ -25,13 +66,10 @@ const BUSH := 4
 const POPLARS := 5  # of so many groves one has only poplars
 const BUSHES := 0.35  # of the plants in other groves
 const PARTS := 19  # of a crown, each at the end of a limb; lengths here are in heights of the tree
-const FLAT := 0.75  # height of a part over its width
 const FORK := 0.55  # where a limb leaves the trunk, over the height of its part
-const TRUNK := 0.021  # radius of the trunk above its foot
 const FOOT := 1.9  # radius there over that
 const SIDES := 7  # of trunks and limbs
 const CARDS := 38  # of a part
-const CARD := Vector2(0.036, 0.064)  # half the side of a card, least and most
 const SHADE := 0.68  # of the light inside of the crown and on its underside
 const PICTURE := 256  # texels, the side of the picture of a twig
 const SPRIGS := 9  # on a card, each with leaves on both sides
@@ -69,8 +107,8 @@ func make(hills: Hills, near: float, far: float) -> void:
 	var foliage := _foliage()
 	for kind in KINDS.size():
 		var parts := _parts(kind)
-		_add(_trunk(parts, KINDS[kind].crown.y), _places[kind], bark, [BARK], random)
-		_add(_crown(parts, KINDS[kind].crown), _places[kind], foliage, LEAVES, random)
+		_add(_trunk(parts, KINDS[kind]), _places[kind], bark, [BARK], random)
+		_add(_crown(parts, KINDS[kind]), _places[kind], foliage, LEAVES, random)
 		count += _places[kind].size()
 
 
@@ -138,7 +176,9 @@ static func _parts(kind: int) -> Array[Vector4]:
 
 
 ## Makes the trunk of a tree that is 1 high, and a limb to each part of its crown.
-static func _trunk(parts: Array[Vector4], top: float) -> ArrayMesh:
+static func _trunk(parts: Array[Vector4], kind: Dictionary) -> ArrayMesh:
+	var top: float = kind.crown.y
+	var wide: float = kind.trunk
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
 	surface.set_color(Color.WHITE)
@@ -146,13 +186,13 @@ static func _trunk(parts: Array[Vector4], top: float) -> ArrayMesh:
 		Vector2(0.0, FOOT), Vector2(0.03, 1.25), Vector2(0.1, 1.0), Vector2(0.4 * top + 0.03, 0.85), Vector2(top, 0.2)
 	]
 	for i in rings.size() - 1:
-		_add_tube(surface, rings[i].x * Vector3.UP, rings[i + 1].x * Vector3.UP, rings[i].y * TRUNK, rings[i + 1].y * TRUNK)
+		_add_tube(surface, rings[i].x * Vector3.UP, rings[i + 1].x * Vector3.UP, rings[i].y * wide, rings[i + 1].y * wide)
 	for part in parts:
 		var end := Vector3(part.x, part.y, part.z)
 		var from := FORK * part.y * Vector3.UP
 		var elbow := from.lerp(end, 0.5) - 0.03 * Vector3.UP
-		_add_tube(surface, from, elbow, 0.5 * TRUNK, 0.3 * TRUNK)
-		_add_tube(surface, elbow, end, 0.3 * TRUNK, 0.1 * TRUNK)
+		_add_tube(surface, from, elbow, 0.5 * wide, 0.3 * wide)
+		_add_tube(surface, elbow, end, 0.3 * wide, 0.1 * wide)
 	surface.index()
 	return surface.commit()
 
@@ -171,7 +211,9 @@ static func _add_tube(surface: SurfaceTool, from: Vector3, to: Vector3, first: f
 
 
 ## Makes the crown of a tree that is 1 high: cards around the parts' middles, fewer with the distance, so that no outline is round.
-static func _crown(parts: Array[Vector4], heights: Vector2) -> ArrayMesh:
+static func _crown(parts: Array[Vector4], kind: Dictionary) -> ArrayMesh:
+	var heights: Vector2 = kind.crown
+	var sizes: Vector2 = kind.card
 	var random := RandomNumberGenerator.new()
 	random.seed = 9
 	var surface := SurfaceTool.new()
@@ -182,22 +224,22 @@ static func _crown(parts: Array[Vector4], heights: Vector2) -> ArrayMesh:
 		for card in CARDS:
 			var out := Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
 			var away := absf(random.randfn(0.75, 0.3))
-			var middle := Vector3(part.x, part.y, part.z) + out * away * part.w * Vector3(1.0, FLAT, 1.0)
+			var middle := Vector3(part.x, part.y, part.z) + out * away * part.w * Vector3(1.0, kind.tall, 1.0)
 			var from_heart := (middle - heart) * Vector3(1.0, 0.75, 1.0)
 			var outside := smoothstep(0.03, 0.26, from_heart.length())
 			var light := lerpf(SHADE, 1.0, outside) * lerpf(SHADE, 1.0, smoothstep(-0.5, 0.6, 0.6 * out.y + 2.0 * from_heart.y))
-			_add_card(surface, 4 * cards, middle, (0.5 * out + 3.0 * from_heart + 0.3 * Vector3.UP).normalized(), light, random)
+			var half := random.randf_range(sizes.x, sizes.y)
+			_add_card(surface, 4 * cards, middle, (0.5 * out + 3.0 * from_heart + 0.3 * Vector3.UP).normalized(), half, light, random)
 			cards += 1
 	return surface.commit()
 
 
 static func _add_card(
-	surface: SurfaceTool, first: int, middle: Vector3, normal: Vector3, light: float, random: RandomNumberGenerator
+	surface: SurfaceTool, first: int, middle: Vector3, normal: Vector3, half: float, light: float, random: RandomNumberGenerator
 ) -> void:
 	var axis := Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
 	var across := axis.cross(normal).normalized()
 	var along := across.cross((normal + 0.8 * axis).normalized()).normalized()
-	var half := random.randf_range(CARD.x, CARD.y)
 	for corner: Vector2 in [Vector2(-1, -1), Vector2(1, -1), Vector2(-1, 1), Vector2(1, 1)]:
 		var off := (across * corner.x + along * corner.y) * half
 		surface.set_color(Color(1, 1, 1, light))
