@@ -132,6 +132,11 @@ int CpuBackend::find_slot(int p_tile) const {
 	return found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
 }
 
+void CpuBackend::set_look(const Look &p_look) {
+	_materials.set_look(p_look);
+	_plants.set_look(p_look);
+}
+
 void CpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
 	_materials.set(p_name, p_value);
 	_plants.set_uniform(p_name, p_value);
@@ -139,7 +144,7 @@ void CpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
 
 void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
 	_plants.set(
-			p_plants, [](float) { return FIRST_INSTANCES; }, shader_features(_setup), false, field_bounds(_setup, _cover.get()));
+			p_plants, [](float) { return FIRST_INSTANCES; }, false, field_bounds(_setup, _cover.get()));
 	_plant_cull = {};
 	_plants_of = p_plants_of;
 	_tiles_changed = true;

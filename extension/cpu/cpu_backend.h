@@ -39,7 +39,7 @@ public:
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
-	void set_look(const Look &p_look) override { _materials.set_look(p_look); }
+	void set_look(const Look &p_look) override;
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 

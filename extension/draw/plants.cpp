@@ -10,12 +10,12 @@ namespace grass {
 
 namespace {
 
-std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_features) {
+std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, const Look &p_look) {
 	std::vector<Ref<ShaderMaterial>> materials;
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		Ref<ShaderMaterial> &material = materials.emplace_back();
 		material.instantiate();
-		material->set_shader(shared_shader(Plants::text(p_features, GRASS_PLANT_MESH)));
+		material->set_shader(shared_shader(Plants::text(p_look, GRASS_PLANT_MESH)));
 		material->set_shader_parameter("plant_color", surface.color);
 		material->set_shader_parameter("plant_scissor", surface.scissor);
 		if (surface.texture.is_valid()) {
@@ -25,10 +25,10 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 	return materials;
 }
 
-std::vector<Ref<ShaderMaterial>> make_materials(const PlantImpostor &p_impostor, int p_features) {
+std::vector<Ref<ShaderMaterial>> make_materials(const PlantImpostor &p_impostor, const Look &p_look) {
 	Ref<ShaderMaterial> material;
 	material.instantiate();
-	material->set_shader(shared_shader(Plants::text(p_features, GRASS_PLANT_IMPOSTOR)));
+	material->set_shader(shared_shader(Plants::text(p_look, GRASS_PLANT_IMPOSTOR)));
 	material->set_shader_parameter("impostor_colors", p_impostor.get_pictures().colors);
 	material->set_shader_parameter("impostor_normals", p_impostor.get_pictures().normals);
 	return { material };
@@ -36,32 +36,41 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantImpostor &p_impostor,
 
 } // namespace
 
-ShaderText Plants::text(int p_features, int p_stage) {
-	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
+ShaderText Plants::text(const Look &p_look, int p_stage) {
+	const int ledges = p_look.features & SHADER_MAP ? SHADER_LEDGES : 0; // one shader for maps with ledges and without
 	const int impostor = p_stage == GRASS_PLANT_IMPOSTOR ? SHADER_IMPOSTOR : 0;
-	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges | impostor, String() } };
+	const int features = (p_look.features & (SHADER_MAP | SHADER_SPECIES)) | ledges | impostor;
+	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { features, p_look.hook } };
 }
 
-void Plants::set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float)> &p_room, int p_features, bool p_indirect,
-		const AABB &p_bounds) {
+void Plants::set_look(const Look &p_look) {
+	_look = p_look;
+	for (const auto &plant : _plants) {
+		for (const Ref<ShaderMaterial> &material : plant->materials) {
+			material->set_shader(shared_shader(text(p_look, plant->stage)));
+		}
+	}
+}
+
+void Plants::set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float)> &p_room, bool p_indirect, const AABB &p_bounds) {
 	_plants.clear();
 	for (size_t species = 0; species < p_plants.size(); species++) {
 		const DrawnPlant &drawn = p_plants[species];
 		for (int stage = 0; stage < GRASS_PLANT_STAGES; stage++) {
 			if (drawn.has(stage)) {
-				add(drawn, int(species), stage, p_room(drawn.kind(stage, 1.0f, 1.0).distance), p_features, p_indirect, p_bounds);
+				add(drawn, int(species), stage, p_room(drawn.kind(stage, 1.0f, 1.0).distance), p_indirect, p_bounds);
 			}
 		}
 	}
 }
 
-void Plants::add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, int p_features, bool p_indirect, const AABB &p_bounds) {
+void Plants::add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, bool p_indirect, const AABB &p_bounds) {
 	Plant &plant = *_plants.emplace_back(std::make_unique<Plant>());
 	plant.species = p_species;
 	plant.stage = p_stage;
 	plant.drawn = p_drawn;
 	const bool is_mesh = p_stage == GRASS_PLANT_MESH;
-	plant.materials = is_mesh ? make_materials(*p_drawn.model, p_features) : make_materials(*p_drawn.impostor, p_features);
+	plant.materials = is_mesh ? make_materials(*p_drawn.model, _look) : make_materials(*p_drawn.impostor, _look);
 	const Ref<ArrayMesh> mesh = is_mesh ? make_plant_mesh(*p_drawn.model) : make_impostor_mesh(*p_drawn.impostor);
 	for (size_t s = 0; s < plant.materials.size(); s++) {
 		plant.materials[s]->set_shader_parameter("plant_species", p_species);

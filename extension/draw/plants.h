@@ -29,10 +29,12 @@ public:
 	// Most plants of one species drawn at once.
 	static constexpr int ROOM = 65536;
 
-	static ShaderText text(int p_features, int p_stage); // of the shader for fields with these ShaderFeatures
+	static ShaderText text(const Look &p_look, int p_stage); // of its shader
+	// Sets the look of these and of later plants.
+	void set_look(const Look &p_look);
 	// Sets the plants. p_plants: by species. p_room: how many plants the MultiMesh must hold up to a distance, metres. Uniforms must be set
 	// again afterwards.
-	void set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float p_distance)> &p_room, int p_features, bool p_indirect,
+	void set(const std::vector<DrawnPlant> &p_plants, const std::function<int(float p_distance)> &p_room, bool p_indirect,
 			const godot::AABB &p_bounds);
 	// Sets a uniform of the materials. A shader ignores a uniform that it does not have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
@@ -47,9 +49,9 @@ public:
 	int64_t get_memory_usage() const; // bytes
 
 private:
-	void add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, int p_features, bool p_indirect,
-			const godot::AABB &p_bounds);
+	void add(const DrawnPlant &p_drawn, int p_species, int p_stage, int p_room, bool p_indirect, const godot::AABB &p_bounds);
 
+	Look _look;
 	std::vector<std::unique_ptr<Plant>> _plants;
 };
 

@@ -42,6 +42,7 @@ GpuBackend::~GpuBackend() {
 
 void GpuBackend::set_look(const Look &p_look) {
 	_materials.set_look(p_look);
+	_plants.set_look(p_look);
 	if (!_picture.is_created()) { // an instance without our shaders would be drawn with the engine's own
 		_picture.create(
 				find_mesh(PICTURE_LEVELS), _materials.picture(), _setup.instance_capacity(), Written::LISTED, _bounds, Role::PICTURE);

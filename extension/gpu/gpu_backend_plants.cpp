@@ -43,7 +43,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	}
 	_jobs.post([setup = _setup](GpuField &r_field) { r_field.set_plants(setup, {}); }); // while they are still there
 	_plants.set(
-			p_plants, [this](float p_distance) { return plant_room(_setup, p_distance); }, shader_features(_setup), true, _bounds);
+			p_plants, [this](float p_distance) { return plant_room(_setup, p_distance); }, true, _bounds);
 	set_bounds(_bounds);
 	_is_fitted = false;
 	_painted = {};

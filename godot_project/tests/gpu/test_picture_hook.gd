@@ -128,3 +128,27 @@ func test_snow_and_wetness() -> void:
 	var dull := await picture()
 	print("    wet grass against the sun shines by %.4f" % (mean(shining.get_region(spot)).g - mean(dull.get_region(spot)).g))
 	assert_greater(mean(shining.get_region(spot)).g, mean(dull.get_region(spot)).g + 0.006, "and shines")  # by 0.012 with 64 samples a pixel
+
+
+## Plants have no colour of their own here, neither their meshes nor their impostors: what glows is theirs alone, since nothing else grows.
+func test_the_hook_reaches_plants_with_a_mesh_and_their_impostors() -> void:
+	var world := WorldEnvironment.new()
+	world.environment = Environment.new()
+	world.environment.background_mode = Environment.BG_COLOR
+	world.environment.background_color = Color.BLACK
+	viewport.add_child(world)
+	var fern: GrassSpecies = load("res://addons/grass_field/presets/fern.tres").duplicate()
+	fern.share = 1.0
+	var field := add_seen_field({size = Vector2(8, 8), density = 20.0, species = [fern] as Array[GrassSpecies], soil_enabled = false})
+	look(Vector3(0, 1.2, 3), Vector3(0, 0.3, 0))
+	for distance: float in [100.0, 1.0]:
+		fern.plant_distance = distance
+		field.surface_hook = null
+		await drawn()
+		assert_greater(field.get_counters().drawn_plants + field.get_counters().drawn_impostors, 20)
+		assert_less(mean(await picture()).get_luminance(), 0.02, "dark without a hook")
+		field.surface_hook = hook(HEAD + "\talbedo = vec3(0.0);\n\temission = vec3(0.0, s.is_soil ? 0.0 : s.along, 0.0);\n}\n")
+		var glowing := mean(await picture())
+		print("    plants drawn up to %.0f m as meshes glow by %s" % [distance, glowing])
+		assert_greater(glowing.g, 0.05)
+		assert_less(glowing.r, 0.02)
