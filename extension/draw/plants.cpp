@@ -4,6 +4,8 @@
 #include "core/base/layout.h"
 #include "render_shaders.gen.h"
 
+#include <utility>
+
 using namespace godot;
 
 namespace grass {
@@ -44,10 +46,14 @@ ShaderText Plants::text(const Look &p_look, int p_stage) {
 }
 
 void Plants::set_look(const Look &p_look) {
-	_look = p_look;
+	const Look before = std::exchange(_look, p_look);
 	for (const auto &plant : _plants) {
+		const ShaderText now = text(p_look, plant->stage);
+		if (now.look.features != text(before, plant->stage).look.features) {
+			continue; // of another field, whose plants will come: set()
+		}
 		for (const Ref<ShaderMaterial> &material : plant->materials) {
-			material->set_shader(shared_shader(text(p_look, plant->stage)));
+			material->set_shader(shared_shader(now));
 		}
 	}
 }

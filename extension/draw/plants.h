@@ -30,7 +30,7 @@ public:
 	static constexpr int ROOM = 65536;
 
 	static ShaderText text(const Look &p_look, int p_stage); // of its shader
-	// Sets the look of these and of later plants.
+	// Sets the look of later plants, and of these if they fit it: with another hook.
 	void set_look(const Look &p_look);
 	// Sets the plants. p_plants: by species. p_room: how many plants the MultiMesh must hold up to a distance, metres. Uniforms must be set
 	// again afterwards.
