@@ -11,8 +11,8 @@ const LEAVES: Array[Color] = [
 ]
 const BARK := Color(0.4, 0.35, 0.29)
 ## Each with a shape of its own. height: least and most, metres. In heights: crown, of the lowest and of the highest part; widest, from the
-## trunk to the middle of a part at most; part, about half the width of one, least and most; card, half the side of one, least and most; trunk,
-## its radius above its foot. tall: height of a part over its width.
+## trunk to the middle of a part at most; part, about half the width of one, least and most; card, half the side of one, least and most;
+## trunk, its radius above its foot. tall: height of a part over its width.
 const KINDS: Array[Dictionary] = [
 	{
 		height = Vector2(6.0, 13.0),
