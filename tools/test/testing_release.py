@@ -28,7 +28,7 @@ from tools.test.test_runs import Tally
 
 WORK = BUILD / "package"
 PLACE = "addons/grass_field"
-MOST_ALONE = 3_100_000  # bytes of a zip with a single library; of a release 3,022,759 on the day of this number
+MOST_ALONE = 3_200_000  # bytes of a zip with a single library; 3,156,326 of one compiled file by file, which is the largest
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
 SOURCES = ("SConstruct", "VERSION", "LICENSE", "CHANGELOG.md", "grass", "tools", "extension", "shaders", "tests", "godot_project")
 
