@@ -42,6 +42,6 @@ def environment():
 		return {}
 	version = max(path.name.rpartition("-")[2] for path in FETCHED.glob("lib/llvm-*"))
 	CACHE.mkdir(exist_ok=True)
-	configuration = CACHE / "configuration.py"
+	configuration = TOOLS / "emscripten_configuration.py"  # Emscripten empties CACHE when a path in here changes: a moved checkout
 	configuration.write_text(CONFIGURATION.format(place=FETCHED, version=version, node=PROGRAM, cache=CACHE))
 	return {"EM_CONFIG": str(configuration), **QUIET}
