@@ -24,8 +24,8 @@ from tools.release import sbom, store
 from tools.run import engine
 from tools.say import Failure, say
 
-# Bytes of the add-on's zip. Nine libraries, two of them in one file, need 19 million. Packed passes would save a tenth of that, but would take a codec
-# of our own.
+# Bytes of the add-on's zip. Nine libraries, two of them in one file, need 19 million. Packed passes would save a tenth of that, but
+# would take a codec of our own.
 SIZE_MOST = 20_000_000
 ADDON = PROJECT / "addons/grass_field"
 EARLIEST = 315532800  # 1980, where the time of zip entries begins
