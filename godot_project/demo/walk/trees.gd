@@ -10,56 +10,35 @@ const LEAVES: Array[Color] = [
 	Color(0.44, 0.53, 0.23), Color(0.51, 0.58, 0.27), Color(0.36, 0.49, 0.23), Color(0.46, 0.55, 0.33), Color(0.48, 0.54, 0.25)
 ]
 const BARK := Color(0.4, 0.35, 0.29)
-## Each with a shape of its own. height: least and most, metres. In heights: crown, of the lowest and of the highest part; widest, from the
-## trunk to the middle of a part at most; part, about half the width of one, least and most; card, half the side of one, least and most;
-## trunk, its radius above its foot. tall: height of a part over its width.
-const KINDS: Array[Dictionary] = [
-	{
-		height = Vector2(6.0, 13.0),
-		crown = Vector2(0.3, 0.92),
-		widest = 0.25,
-		part = Vector2(0.07, 0.13),
-		card = Vector2(0.036, 0.064),
-		trunk = 0.021,
-		tall = 0.75,
-	},
-	{
-		height = Vector2(6.0, 13.0),
-		crown = Vector2(0.3, 0.92),
-		widest = 0.19,
-		part = Vector2(0.07, 0.13),
-		card = Vector2(0.036, 0.064),
-		trunk = 0.021,
-		tall = 0.75,
-	},
-	{
-		height = Vector2(6.0, 13.0),
-		crown = Vector2(0.3, 0.92),
-		widest = 0.3,
-		part = Vector2(0.07, 0.13),
-		card = Vector2(0.036, 0.064),
-		trunk = 0.021,
-		tall = 0.75,
-	},
-	{
-		height = Vector2(12.0, 18.0),
-		crown = Vector2(0.12, 0.93),
-		widest = 0.05,
-		part = Vector2(0.02, 0.065),
-		card = Vector2(0.022, 0.042),
-		trunk = 0.01,
-		tall = 2.2,
-	},
-	{
-		height = Vector2(1.5, 3.2),
-		crown = Vector2(0.1, 0.8),
-		widest = 0.5,
-		part = Vector2(0.15, 0.22),
-		card = Vector2(0.06, 0.1),
-		trunk = 0.02,
-		tall = 0.75,
-	},
-]
+## The shapes of trees. height: least and most, metres. In heights: crown, of the lowest and of the highest part; part, about half the
+## width of one, least and most; card, half the side of one, least and most; trunk, its radius above its foot. tall: height of a part over
+## its width.
+const ROUND := {
+	height = Vector2(6.0, 13.0),
+	crown = Vector2(0.3, 0.92),
+	part = Vector2(0.07, 0.13),
+	card = Vector2(0.036, 0.064),
+	trunk = 0.021,
+	tall = 0.75
+}
+const SLIM := {
+	height = Vector2(12.0, 18.0),
+	crown = Vector2(0.12, 0.93),
+	part = Vector2(0.02, 0.065),
+	card = Vector2(0.022, 0.042),
+	trunk = 0.01,
+	tall = 2.2
+}
+const LOW := {
+	height = Vector2(1.5, 3.2),
+	crown = Vector2(0.1, 0.8),
+	part = Vector2(0.15, 0.22),
+	card = Vector2(0.06, 0.1),
+	trunk = 0.02,
+	tall = 0.75,
+}
+const KINDS: Array[Dictionary] = [ROUND, ROUND, ROUND, SLIM, LOW]
+const WIDEST: Array[float] = [0.25, 0.19, 0.3, 0.05, 0.5]  # heights from the trunk to the middle of a part, at most, of each kind
 const BROAD := 3  # kinds that are neither of the next two
 const POPLAR := 3
 const BUSH := 4
@@ -167,7 +146,7 @@ static func _parts(kind: int) -> Array[Vector4]:
 	var parts: Array[Vector4] = []
 	for part in PARTS:
 		var up := (part + random.randf()) / PARTS
-		var away: float = KINDS[kind].widest * sqrt(sin(PI * lerpf(0.25, 0.98, up))) * random.randf_range(0.35, 1.15)
+		var away := WIDEST[kind] * sqrt(sin(PI * lerpf(0.25, 0.98, up))) * random.randf_range(0.35, 1.15)
 		var side := Vector2.from_angle(2.4 * part + random.randf_range(-0.5, 0.5)) * away
 		parts.append(
 			Vector4(side.x, lerpf(crown.x, crown.y, up), side.y, lerpf(part_size.y, part_size.x, up * random.randf_range(0.5, 1.0)))
